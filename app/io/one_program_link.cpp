@@ -128,9 +128,9 @@ Result<std::unique_ptr<cnc::CncLink>> makeOneProgramLink(std::string_view id, cn
     };
   }
   if (request.buses) {
-    request.buses = [note, make = std::move(request.buses)](const cnc::BusAddress& address) {
+    request.buses = [note, make = std::move(request.buses)](const cnc::BusAddress& address, const Clock& clock) {
       note(address.wire);
-      return make(address);
+      return make(address, clock);
     };
   }
   auto link = cnc::makeLink(id, request);

@@ -11,7 +11,19 @@ namespace stillcut::app {
 
 using cnc::WireState;
 
-SerialWire::SerialWire(std::string device, int baud) : device_(std::move(device)), baud_(baud) {}
+namespace {
+
+constexpr qint64 kMostHeld = 1 << 16;  // a peer may send without end
+
+QSerialPort::Parity parityOf(char letter) {
+  if (letter == 'N') return QSerialPort::NoParity;
+  return letter == 'O' ? QSerialPort::OddParity : QSerialPort::EvenParity;
+}
+
+}  // namespace
+
+SerialWire::SerialWire(std::string device, int baud, char parity, int stopBits)
+    : device_(std::move(device)), baud_(baud), parity_(parity), stopBits_(stopBits) {}
 
 SerialWire::~SerialWire() = default;
 
@@ -20,6 +32,9 @@ void SerialWire::connect() noexcept {
   QEventLoop dispatcher;  // gives a thread that Qt did not start what the port's notifiers need
   port_ = std::make_unique<QSerialPort>(QString::fromStdString(device_));
   port_->setBaudRate(baud_);
+  port_->setParity(parityOf(parity_));
+  port_->setStopBits(stopBits_ == 2 ? QSerialPort::TwoStop : QSerialPort::OneStop);
+  port_->setReadBufferSize(kMostHeld);
   if (!port_->open(QIODevice::ReadWrite)) port_.reset();
 }
 

@@ -15,7 +15,8 @@ namespace stillcut::app {
 
 class SerialWire final : public cnc::ByteChannel {
  public:
-  SerialWire(std::string device, int baud);
+  // `parity`: N, E or O; a pty has none, and refuses another.
+  SerialWire(std::string device, int baud, char parity = 'N', int stopBits = 1);
   ~SerialWire() override;
 
   std::string_view address() const noexcept override { return device_; }
@@ -33,6 +34,8 @@ class SerialWire final : public cnc::ByteChannel {
 
   std::string device_;
   int baud_;
+  char parity_;
+  int stopBits_;
   std::unique_ptr<QSerialPort> port_;
 };
 

@@ -3,9 +3,11 @@
 #include "app/io/tcp_wire.h"
 #ifdef STILLCUT_SERIAL
 #include <QCoreApplication>
+#include <utility>
 
-#include "app/io/modbus_bus.h"
+#include "app/io/modbus_tcp_bus.h"
 #include "app/io/serial_wire.h"
+#include "core/cnc/modbus/rtu_bus.h"
 #endif
 
 namespace stillcut::app {
@@ -22,8 +24,10 @@ Result<std::unique_ptr<cnc::ByteChannel>> makeWire(const cnc::WireAddress& addre
 
 cnc::BusMaker busMaker() {
 #ifdef STILLCUT_SERIAL
-  return [](const cnc::BusAddress& address) -> Result<std::unique_ptr<cnc::RegisterBus>> {
-    return std::unique_ptr<cnc::RegisterBus>(std::make_unique<ModbusBus>(address));
+  return [](const cnc::BusAddress& address, const Clock& clock) -> Result<std::unique_ptr<cnc::RegisterBus>> {
+    if (!address.wire.host.empty()) return std::unique_ptr<cnc::RegisterBus>(std::make_unique<ModbusTcpBus>(address));
+    auto wire = std::make_unique<SerialWire>(address.wire.device, address.wire.baud, address.parity, address.stopBits);
+    return std::unique_ptr<cnc::RegisterBus>(std::make_unique<cnc::RtuBus>(address, std::move(wire), clock));
   };
 #else
   return {};

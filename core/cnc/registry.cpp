@@ -94,7 +94,7 @@ Result<std::unique_ptr<CncLink>> makeModbus(const LinkRequest& r) {
   if (Status real = realMachine(r, where); !real) return real.error();
   if (!r.buses)
     return Error{where, message("Modbus is not part of this build"), message("configure with STILLCUT_DESKTOP=ON")};
-  auto bus = r.buses(map->bus);
+  auto bus = r.buses(map->bus, *r.clock);
   if (!bus) return bus.error();
   return std::unique_ptr<CncLink>(
       std::make_unique<ModbusLink>(std::move(map).value(), std::move(bus).value(), *r.clock));

@@ -68,7 +68,7 @@ class ModbusHostile : public ::testing::Test {
   void connect(int feedRegister, int answerMs = 200) {
     auto map = parseRegisterMap(mapWith(feedRegister, answerMs), "hostile.toml");
     ASSERT_TRUE(map.ok()) << map.error().line();
-    auto bus = app::busMaker()(map->bus);
+    auto bus = app::busMaker()(map->bus, clock_);
     ASSERT_TRUE(bus.ok());
     link_ = std::make_unique<ModbusLink>(std::move(map).value(), std::move(bus).value(), clock_);
   }

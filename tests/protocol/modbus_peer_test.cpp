@@ -108,7 +108,7 @@ class ModbusReal : public ::testing::TestWithParam<Plc::Wire> {
     // The feed that is in force can be read here: no knob stands before it.
     map->read[static_cast<std::size_t>(MachineSignal::FeedOverride)] = map->at(MachineCommand::FeedOverride);
     if (change) change(map->bus);
-    auto bus = app::busMaker()(map->bus);
+    auto bus = app::busMaker()(map->bus, clock_);
     EXPECT_TRUE(bus.ok());
     return std::make_unique<ModbusLink>(std::move(map).value(), std::move(bus).value(), clock_);
   }
@@ -236,7 +236,7 @@ TEST_P(ModbusReal, WaitingTakesNoProcessorTime) {
   link_.reset();
   BusAddress address;
   plc_->locate(address);
-  const auto bus = std::move(app::busMaker()(address)).value();
+  const auto bus = std::move(app::busMaker()(address, clock_)).value();
   bus->connect();
   ASSERT_TRUE(testing::within(Seconds(5.0), [&] { return bus->state() == WireState::Open; }));
   const auto used = [] {

@@ -47,7 +47,7 @@ class ModbusScripted : public ::testing::Test {
   std::unique_ptr<CncLink> make() {
     auto map = parseRegisterMap(mapTo(server_.port()), "scripted.toml");
     EXPECT_TRUE(map.ok()) << map.error().line();
-    auto bus = app::busMaker()(map->bus);
+    auto bus = app::busMaker()(map->bus, clock_);
     EXPECT_TRUE(bus.ok());
     return std::make_unique<ModbusLink>(std::move(map).value(), std::move(bus).value(), clock_);
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "tests/protocol/commands.h"
@@ -51,6 +52,60 @@ TEST(Register, EncodesAndDecodesWhatItCanHold) {
   EXPECT_NEAR(r.decode(*r.encode(6553.5)), 6553.5, 1e-9);
 }
 
+// 32-bit floats as drives have them: IEEE 754, either word first.
+TEST(Register, FloatsOfBothWordOrders) {
+  Register r;
+  r.isFloat = true;
+  r.words = 2;
+  EXPECT_EQ(r.decode({0x45FA, 0x0000}), 8000.0);
+  EXPECT_NEAR(r.decode({0xC2F6, 0xE979}), -123.456, 1e-5);
+  r.highWordFirst = false;
+  EXPECT_EQ(r.decode({0x0000, 0x45FA}), 8000.0);
+  for (const bool high : {true, false}) {
+    r.highWordFirst = high;
+    for (const double value : {0.0, 87.5, -12.25, 1e6}) EXPECT_EQ(r.decode(*r.encode(value)), value);
+  }
+  r.scale = 0.5;
+  EXPECT_EQ(r.decode(*r.encode(87.5)), 87.5);
+  EXPECT_FALSE(r.encode(1e300));
+  EXPECT_FALSE(std::isfinite(r.decode({0x0000, 0x7FC0})));
+}
+
+TEST(Modbus, AMapOfFloatsReadsAndMovesTheMachine) {
+  for (const bool highFirst : {true, false}) {
+    RegisterMap map = exampleMap();
+    Register& speed = *map.read[static_cast<std::size_t>(MachineSignal::ActualSpeed)];
+    speed = Register{
+        .table = RegisterTable::Holding, .address = 40, .words = 2, .isFloat = true, .highWordFirst = highFirst};
+    Register& order = *map.write[static_cast<std::size_t>(MachineCommand::SpeedOverride)];
+    order = Register{
+        .table = RegisterTable::Holding, .address = 50, .words = 2, .isFloat = true, .highWordFirst = highFirst};
+    test::VirtualClock clock{instantFromNs(1'000'000'000)};
+    FakePlc plc;
+    ModbusLink link(map, std::make_unique<FakeBus>(clock, plc), clock);
+    plc.holding(highFirst ? 40 : 41) = 0x45FA;
+    MachineState m;
+    CommandMaker gate;
+    const auto run = [&](double seconds) {
+      for (const Instant end = clock.now() + toDuration(Seconds(seconds)); clock.now() < end;) {
+        plc.run(clock.now());
+        m = link.read(clock.now());
+        clock.advance(Seconds(0.005));
+      }
+    };
+    run(0.3);
+    ASSERT_TRUE(m.valid);
+    EXPECT_EQ(m.actualSpeed.value, 8000.0);
+    link.apply(gate.set(90.0), clock.now());
+    run(0.2);
+    EXPECT_EQ(plc.holding(highFirst ? 50 : 51), 0x42B4);  // 90.0f
+    // No number is no speed.
+    plc.holding(highFirst ? 40 : 41) = 0x7FC0;
+    run(1.0);
+    EXPECT_FALSE(m.valid);
+  }
+}
+
 TEST(RegisterMap, BadMapsAreRefusedWithPlaceAndReason) {
   const std::string good =
       "version = 1\n[bus]\nhost = 'h'\n[override]\nlowest_speed_percent = 50\n"
@@ -65,6 +120,10 @@ TEST(RegisterMap, BadMapsAreRefusedWithPlaceAndReason) {
         Case{"address = 2", "address = 2\ntable = 'input'", "cannot be written"},
         Case{"address = 1\n", "address = 65535\nwords = 2\n", "no room"},
         Case{"version = 1", "version = 1\nwatchdog = true", "heartbeat"},
+        Case{"address = 1\n", "address = 1\nfloat = true\nwords = 1\n", "float"},
+        Case{"address = 1\n", "address = 1\nfloat = true\nsigned = true\n", "float"},
+        Case{"address = 1\n", "address = 65535\nfloat = true\n", "no room"},
+        Case{"address = 1\n", "address = 1\nlowest = 5.0\nhighest = 5.0\n", "lowest"},
         Case{"host = 'h'", "host = 'h'\ndevice = '/dev/x'", "host"},
         Case{"[read.actual_speed]", "[read.actual_sped]", "actual_sp"}}) {
     std::string text = good;

@@ -79,6 +79,7 @@ class ScriptedWire final : public ByteChannel {
   }
   WireState state() noexcept override { return state_; }
   std::size_t read(std::span<char> into) noexcept override {
+    pour();
     std::size_t n = 0;
     const std::size_t most = faults_.piece == 0 ? into.size() : std::min(into.size(), faults_.piece);
     while (n < most && !coming_.empty() && coming_.front().when <= clock_.now()) {
@@ -107,6 +108,7 @@ class ScriptedWire final : public ByteChannel {
     return true;
   }
   void wait(Duration atMost) noexcept override {
+    pour();
     const Duration until = coming_.empty() ? atMost : std::max(Duration::zero(), coming_.front().when - clock_.now());
     clock_.advance(toSeconds(std::min(atMost, until)));
   }
@@ -121,12 +123,27 @@ class ScriptedWire final : public ByteChannel {
   }
   // Bytes nobody asked for.
   void say(std::string text) { coming_.push_back({clock_.now(), std::move(text)}); }
+  // The same bytes over and over from now on, `every` so long, between whatever else is said; empty: no more.
+  void flood(std::string text, Seconds every) {
+    flood_ = std::move(text);
+    floodEvery_ = toDuration(every);
+    floodAt_ = clock_.now();
+  }
 
  private:
   struct Coming {
     Instant when;
     std::string text;
   };
+  // What a flood has brought since; what nobody reads backs up in front of the peer and is lost.
+  void pour() {
+    if (flood_.empty() || state_ != WireState::Open) return;
+    for (; floodAt_ <= clock_.now(); floodAt_ += floodEvery_) {
+      if (coming_.size() >= kMostWaiting) continue;
+      const auto later = [&](const Coming& c) { return c.when > floodAt_; };
+      coming_.insert(std::find_if(coming_.begin(), coming_.end(), later), {floodAt_, flood_});
+    }
+  }
   Instant arrival(Duration after) const {
     const Instant when = clock_.now() + after;
     const Duration batch = toDuration(faults_.batch);
@@ -140,6 +157,10 @@ class ScriptedWire final : public ByteChannel {
   Peer& peer_;
   WireState state_ = WireState::Closed;
   std::deque<Coming> coming_;
+  static constexpr std::size_t kMostWaiting = 64;
+  std::string flood_;
+  Duration floodEvery_{};
+  Instant floodAt_{};
   std::string late_;  // kept back until the next reply has gone
   int replies_ = 0;
 };

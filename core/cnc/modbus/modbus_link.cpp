@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
+#include "core/cnc/modbus/plausible.h"
 #include "core/cnc/move_order.h"
 
 namespace stillcut::cnc {
@@ -12,7 +14,7 @@ namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(500);
 constexpr Duration kConnectTime = std::chrono::seconds(1);
-constexpr Duration kOverdue = std::chrono::milliseconds(300);
+constexpr Duration kOverdue = std::chrono::milliseconds(300);  // of a bus that may wait three answers' time
 constexpr Duration kOpenTime = std::chrono::seconds(3);
 constexpr Duration kFreshAtLeast = std::chrono::milliseconds(300);
 constexpr int kMostFailures = 3;
@@ -24,6 +26,11 @@ constexpr std::array<MachineCommand, 3> kStanding{MachineCommand::Control, Machi
 
 bool isFlag(MachineCommand o) {
   return o == MachineCommand::Control;
+}
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  const int size = std::snprintf(text.data(), text.size(), "%.6g", value);
+  return {text.data(), static_cast<std::size_t>(std::clamp(size, 0, 31))};
 }
 
 }  // namespace
@@ -62,6 +69,11 @@ Status ModbusLink::open() {
     bus_->wait(kWait);
     if (clock_.now() - began <= kOpenTime) continue;
     const bool connected = bus_->state() == WireState::Open;
+    if (connected && refused_) {
+      return Error{std::string(bus_->address()),
+                   message("'%1' reads %2, which can not be", name(refused_->which), shortest(refused_->value)),
+                   message("is its entry in the register map right?")};
+    }
     return Error{std::string(bus_->address()),
                  connected ? message("the registers do not answer") : message("no connection"),
                  connected ? message("are the unit and the register map right?")
@@ -83,6 +95,7 @@ void ModbusLink::broke(Instant now) noexcept {
   failures_ = 0;
   nextTry_ = now + kRetry;
   for (RegisterReading& s : seen_) s = RegisterReading{};
+  fastest_ = 0.0;
   for (RegisterWrite& o : orders_) {
     o.written.reset();
     o.sure = false;
@@ -92,7 +105,7 @@ void ModbusLink::broke(Instant now) noexcept {
 void ModbusLink::pump(Instant now) noexcept {
   switch (bus_->state()) {
     case WireState::Closed:
-      if (underway_ != Underway::Nothing || seen_[0].ever) broke(now);
+      if (underway_ != Underway::Nothing || seen_[0].ever()) broke(now);
       if (now < nextTry_) return;
       nextTry_ = now + kRetry;
       bus_->connect();
@@ -106,7 +119,8 @@ void ModbusLink::pump(Instant now) noexcept {
       break;
   }
   // A request that is not even given up: Qt's client was seen to wait for ever on a port whose device had gone.
-  const bool stuck = underway_ != Underway::Nothing && now - askedAt_ > toDuration(map_.bus.answerWithin) + kOverdue;
+  const bool stuck =
+      underway_ != Underway::Nothing && now - askedAt_ > 3 * toDuration(map_.bus.answerWithin) + kOverdue;
   if (stuck) {
     bus_->close();
     broke(now);
@@ -125,6 +139,10 @@ void ModbusLink::takeReply(Instant now) noexcept {
   const auto reply = bus_->take();
   if (!reply || underway_ == Underway::Nothing) return;
   const Underway what = std::exchange(underway_, Underway::Nothing);
+  if (reply->unsure) {
+    if (what == Underway::Read) seen_[which_].due = now;
+    return;
+  }
   if (!reply->ok) {
     // One exception is the machine's business; several in a row are a machine that cannot be believed.
     if (++failures_ < kMostFailures) return;
@@ -136,13 +154,27 @@ void ModbusLink::takeReply(Instant now) noexcept {
   const Instant answered = std::max(now, clock_.now());
   roundTrip_.take(secondsBetween(askedAt_, answered));
   if (what == Underway::Read) {
-    seen_[which_].words = reply->words;
-    seen_[which_].when = now;
-    seen_[which_].ever = true;
+    takeValue(static_cast<MachineSignal>(which_), reply->words, now);
   } else {
     orders_[which_].written = writing_;
     orders_[which_].sure = true;
     if (static_cast<MachineCommand>(which_) != MachineCommand::Heartbeat) acknowledged_ = answered;
+  }
+}
+
+void ModbusLink::takeValue(MachineSignal s, const RegisterWords& words, Instant now) noexcept {
+  const Register& r = *map_.at(s);
+  RegisterReading& reading = seen_[static_cast<std::size_t>(s)];
+  const double value = isFlag(s) ? (r.flag(words) ? 1.0 : 0.0) : r.decode(words);
+  if (!canBe(map_, s, value, fastest_)) {
+    refused_ = Refused{s, value};
+    return;
+  }
+  if (refused_ && refused_->which == s) refused_.reset();
+  if (!reading.take(value, jumpOf(s, number(programmedOf(s), 0.0)), now)) {
+    reading.due = now;  // again, at once: the next reading decides
+  } else if (s == MachineSignal::ProgrammedSpeed) {
+    fastest_ = std::max(fastest_, value);
   }
 }
 
@@ -212,20 +244,14 @@ Instant ModbusLink::readAt(std::initializer_list<MachineSignal> of) const noexce
   std::optional<Instant> oldest;
   for (const MachineSignal s : of) {
     if (!map_.at(s)) continue;
-    const Instant when = seen_[static_cast<std::size_t>(s)].when;
+    const Instant when = seen(s).when();
     oldest = std::min(oldest.value_or(when), when);
   }
   return oldest.value_or(Instant{});
 }
 
 double ModbusLink::number(MachineSignal s, double otherwise) const noexcept {
-  const auto& r = map_.at(s);
-  return r ? r->decode(seen_[static_cast<std::size_t>(s)].words) : otherwise;
-}
-
-bool ModbusLink::flag(MachineSignal s, bool otherwise) const noexcept {
-  const auto& r = map_.at(s);
-  return r ? r->flag(seen_[static_cast<std::size_t>(s)].words) : otherwise;
+  return map_.at(s) ? seen(s).value() : otherwise;
 }
 
 MachineState ModbusLink::state(Instant now) const noexcept {
@@ -236,9 +262,9 @@ MachineState ModbusLink::state(Instant now) const noexcept {
   for (std::size_t i = 0; i < kMachineSignals; ++i) {
     if (!map_.read[i]) continue;
     const Duration allowed = std::max(kFreshAtLeast, 4 * toDuration(map_.read[i]->period));
-    fresh = fresh && seen_[i].ever && now - seen_[i].when <= allowed;
-    any = any || seen_[i].ever;
-    m.time = std::min(m.time, seen_[i].when);
+    fresh = fresh && seen_[i].ever() && now - seen_[i].when() <= allowed;
+    any = any || seen_[i].ever();
+    m.time = std::min(m.time, seen_[i].when());
   }
   m.linkUp = any;
   m.link.acknowledged = acknowledged_;

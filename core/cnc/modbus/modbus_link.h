@@ -3,6 +3,8 @@
 // One request at a time: what is to be written first, then whatever register is due longest. While we are in command
 // the heartbeat counts; a machine whose map says `watchdog` restores 100 % when it stops. Registers that the map leaves
 // out: overrides in force are taken as written, "running" as a programmed speed above 0, "at speed" from the speeds.
+// A value that can not be (outside of the map's range or of its kind's; a spindle twice as fast as it was ever told to
+// turn) is not believed, and one that jumps only when two readings on end show it.
 // Thread: as CncLink says; a tick waits at most kWait a request and kRequests requests; all of letting go takes at most
 // kReleaseTime.
 #pragma once
@@ -16,6 +18,7 @@
 
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
+#include "core/cnc/modbus/believed_reading.h"
 #include "core/cnc/modbus/register_bus.h"
 #include "core/cnc/modbus/register_map.h"
 #include "core/cnc/release_budget.h"
@@ -40,10 +43,7 @@ class ModbusLink final : public CncLink {
   static constexpr Duration kReleaseTime = std::chrono::milliseconds(1000);
 
  private:
-  struct RegisterReading {
-    RegisterWords words{};
-    Instant when{};
-    bool ever = false;
+  struct RegisterReading : BelievedReading {
     Instant due{};
   };
   struct RegisterWrite {
@@ -56,6 +56,7 @@ class ModbusLink final : public CncLink {
 
   void pump(Instant now) noexcept;
   void takeReply(Instant now) noexcept;
+  void takeValue(MachineSignal s, const RegisterWords& words, Instant now) noexcept;
   bool writeNext(Instant now) noexcept;
   bool readNext(Instant now) noexcept;
   bool write(MachineCommand which, Instant now) noexcept;
@@ -66,7 +67,8 @@ class ModbusLink final : public CncLink {
   // When the oldest of these was read; 0: none is in the map, or not all have been.
   Instant readAt(std::initializer_list<MachineSignal> of) const noexcept;
   double number(MachineSignal s, double otherwise) const noexcept;
-  bool flag(MachineSignal s, bool otherwise) const noexcept;
+  bool flag(MachineSignal s, bool otherwise) const noexcept { return number(s, otherwise ? 1.0 : 0.0) != 0.0; }
+  const RegisterReading& seen(MachineSignal s) const { return seen_[static_cast<std::size_t>(s)]; }
   RegisterWrite& order(MachineCommand o) { return orders_[static_cast<std::size_t>(o)]; }
   const RegisterWrite& order(MachineCommand o) const { return orders_[static_cast<std::size_t>(o)]; }
 
@@ -85,6 +87,12 @@ class ModbusLink final : public CncLink {
   ReleaseBudget releaseBudget_;
   Instant askedAt_{};  // by the clock, for the round trip
   DelayGauge roundTrip_;
+  double fastest_ = 0.0;  // the highest programmed speed that was believed, rev/min
+  struct Refused {
+    MachineSignal which{};
+    double value = 0.0;
+  };
+  std::optional<Refused> refused_;  // read last, and can not be
 };
 
 }  // namespace stillcut::cnc

@@ -1,5 +1,5 @@
-// RegisterBus: a Modbus master's side as the link sees it: one request under way, polled. The adapter over Qt SerialBus
-// is in app/io; tests have one of their own.
+// RegisterBus: a Modbus master's side as the link sees it: one request under way, polled. RtuBus speaks RTU over a wire
+// of bytes; the adapter over Qt SerialBus, for TCP, is in app/io; tests have one of their own.
 // Thread: the link thread alone, but for the constructor. Nothing throws.
 #pragma once
 
@@ -25,6 +25,7 @@ using RegisterWords = std::array<std::uint16_t, 2>;  // the second is unused by 
 struct BusReply {
   bool ok = false;  // false: an exception reply, or none in time
   RegisterWords words{};
+  bool unsure = false;  // not ok, but no failure: whose answer came is not known, and the question is to be asked again
 };
 
 class RegisterBus {
@@ -36,11 +37,11 @@ class RegisterBus {
   virtual WireState state() noexcept = 0;                 // Closed stays so until connect()
   virtual void wait(Duration atMost) noexcept = 0;        // until there is something new, or `atMost` has passed
   virtual void close() noexcept = 0;                      // a request under way is forgotten
-  // Begin a request; only while none is under way. False: the bus broke.
+  // Begin a request; only while not busy(). False: the bus broke.
   virtual bool read(RegisterTable table, int first, int count) noexcept = 0;
   // The first `count` of the words, to Coil or Holding; begins as read() does.
   virtual bool write(RegisterTable table, int first, int count, const RegisterWords& words) noexcept = 0;
-  // A request is under way: no reply yet, nor its time over.
+  // No request may begin: one is under way, without reply nor its time over; or the line must fall silent first.
   virtual bool busy() const noexcept = 0;
   // The reply of the last request, once.
   virtual std::optional<BusReply> take() noexcept = 0;
@@ -53,6 +54,7 @@ struct BusAddress {
   int stopBits = 1;   // serial
   Seconds answerWithin{0.2};
 };
-using BusMaker = std::function<Result<std::unique_ptr<RegisterBus>>(const BusAddress& address)>;
+// `clock` outlives the bus.
+using BusMaker = std::function<Result<std::unique_ptr<RegisterBus>>(const BusAddress& address, const Clock& clock)>;
 
 }  // namespace stillcut::cnc

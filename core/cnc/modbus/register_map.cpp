@@ -1,6 +1,7 @@
 #include "core/cnc/modbus/register_map.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -23,12 +24,17 @@ Register readRegister(const TomlTable& table, std::string_view periodKey, double
   Register r;
   r.table = static_cast<RegisterTable>(table.choiceOr("table", 3, {"coil", "discrete", "input", "holding"}));
   r.address = table.integer("address", 0, 65535);
-  r.words = table.integerOr("words", 1, 1, 2);
+  r.isFloat = table.booleanOr("float", false);
+  r.words = table.integerOr("words", r.isFloat ? 2 : 1, 1, 2);
   r.highWordFirst = table.booleanOr("high_word_first", true);
   r.isSigned = table.booleanOr("signed", false);
   r.bit = table.integerOr("bit", -1, 0, 15);
   r.scale = table.numberOr("scale", 1.0, -1e9, 1e9);
   r.offset = table.numberOr("offset", 0.0, -1e9, 1e9);
+  if (r.isFloat && (r.words == 1 || r.isSigned || r.bit >= 0)) {
+    table.refuse("float", message("is true beside 'words = 1', 'signed' or 'bit'"),
+                 message("a float has two words and a sign of its own, and is no flag"));
+  }
   if (!periodKey.empty()) r.period = Seconds(table.numberOr(periodKey, period, 5.0, 10000.0) * 1e-3);
   if (r.scale == 0.0) table.refuse("scale", message("is 0"), message("every value would be the offset"));
   const bool bits = r.table == RegisterTable::Coil || r.table == RegisterTable::Discrete;
@@ -56,6 +62,14 @@ void readBus(const TomlTable& table, BusAddress& bus) {
   }
   bus.unit = table.integerOr("unit", 1, 0, 247);
   bus.answerWithin = Seconds(table.numberOr("answer_ms", 200.0, 5.0, 5000.0) * 1e-3);
+}
+
+void readRange(const TomlTable& table, Register& r) {
+  if (table.has("lowest")) r.lowest = table.number("lowest", -1e9, 1e9);
+  if (table.has("highest")) r.highest = table.number("highest", -1e9, 1e9);
+  if (r.lowest && r.highest && *r.lowest >= *r.highest) {
+    table.refuse("lowest", message("is not below 'highest'"), message("no value would be believed"));
+  }
 }
 
 // Free keys, each one of `names`.
@@ -89,6 +103,9 @@ Result<RegisterMap> read(TomlReader in) {
   const TomlTable reads = root.table("read");
   const TomlTable writes = root.table("write");
   readGroup(reads, kSignals, "poll_ms", 50.0, map.read);
+  for (std::size_t i = 0; i < kMachineSignals; ++i) {
+    if (map.read[i]) readRange(reads.table(kSignals[i]), *map.read[i]);
+  }
   readGroup(writes, kOrders, "period_ms", 50.0, map.write);
   require(reads, kSignals, static_cast<std::size_t>(MachineSignal::ProgrammedSpeed), map.read);
   require(reads, kSignals, static_cast<std::size_t>(MachineSignal::ActualSpeed), map.read);
@@ -108,6 +125,10 @@ Result<RegisterMap> read(TomlReader in) {
 
 }  // namespace
 
+std::string_view name(MachineSignal s) {
+  return kSignals[static_cast<std::size_t>(s)];
+}
+
 double Register::decode(const RegisterWords& raw) const noexcept {
   if (words == 1) {
     const double value = isSigned ? static_cast<std::int16_t>(raw[0]) : raw[0];
@@ -116,6 +137,7 @@ double Register::decode(const RegisterWords& raw) const noexcept {
   const std::uint32_t high = highWordFirst ? raw[0] : raw[1];
   const std::uint32_t low = highWordFirst ? raw[1] : raw[0];
   const std::uint32_t both = (high << 16U) | low;
+  if (isFloat) return static_cast<double>(std::bit_cast<float>(both)) * scale + offset;
   return (isSigned ? static_cast<double>(static_cast<std::int32_t>(both)) : static_cast<double>(both)) * scale + offset;
 }
 
@@ -124,11 +146,18 @@ bool Register::flag(const RegisterWords& raw) const noexcept {
 }
 
 std::optional<RegisterWords> Register::encode(double value) const noexcept {
-  const double raw = std::round((value - offset) / scale);
-  const double span = words == 1 ? 65536.0 : 4294967296.0;
-  const double lowest = isSigned ? -span / 2.0 : 0.0;
-  if (!(raw >= lowest && raw < lowest + span)) return std::nullopt;
-  const auto both = static_cast<std::uint32_t>(static_cast<std::int64_t>(raw));
+  std::uint32_t both = 0;
+  if (isFloat) {
+    const auto raw = static_cast<float>((value - offset) / scale);
+    if (!std::isfinite(raw)) return std::nullopt;
+    both = std::bit_cast<std::uint32_t>(raw);
+  } else {
+    const double raw = std::round((value - offset) / scale);
+    const double span = words == 1 ? 65536.0 : 4294967296.0;
+    const double least = isSigned ? -span / 2.0 : 0.0;
+    if (!(raw >= least && raw < least + span)) return std::nullopt;
+    both = static_cast<std::uint32_t>(static_cast<std::int64_t>(raw));
+  }
   const auto high = static_cast<std::uint16_t>(both >> 16U);
   const auto low = static_cast<std::uint16_t>(both);
   if (words == 1) return RegisterWords{low, 0};

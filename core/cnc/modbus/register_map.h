@@ -5,10 +5,10 @@
 //   watchdog = true                  the machine itself restores 100 % when the heartbeat stops
 //   [bus]      host, port  or  device, baud, parity, stop_bits;  unit, answer_ms
 //   [override] lowest_speed_percent, highest_speed_percent, lowest_feed_percent, highest_feed_percent
-//   [read.actual_speed]   table, address, words, high_word_first, signed, bit, scale, offset, poll_ms
-//   [write.speed_override] the same without poll_ms; [write.heartbeat] with period_ms
-// value = raw * scale + offset, in rev/min, mm/min or percent; a flag is a bit, or raw != 0.
-// Thread: set-up; values afterwards.
+//   [read.actual_speed]   table, address, words, float, high_word_first, signed, bit, scale, offset, lowest, highest,
+//   poll_ms [write.speed_override] the same without lowest, highest and poll_ms; [write.heartbeat] with period_ms
+// value = raw * scale + offset, in rev/min, mm/min or percent; a flag is a bit, or raw != 0. A value that is read and
+// lies outside of lowest to highest is not believed. Thread: set-up; values afterwards.
 #pragma once
 
 #include <array>
@@ -35,6 +35,7 @@ enum class MachineSignal : std::uint8_t {
   OverridesEnabled,
 };
 inline constexpr std::size_t kMachineSignals = 12;
+std::string_view name(MachineSignal s);  // as the file has it: "actual_speed"
 
 enum class MachineCommand : std::uint8_t {
   SpeedOverride,  // %; required
@@ -46,13 +47,15 @@ inline constexpr std::size_t kMachineCommands = 4;
 
 struct Register {
   RegisterTable table = RegisterTable::Holding;
-  int address = 0;  // 0..65535, as on the wire (not 40001-based)
-  int words = 1;    // 1 or 2
+  int address = 0;       // 0..65535, as on the wire (not 40001-based)
+  int words = 1;         // 1 or 2
+  bool isFloat = false;  // IEEE 754, of two words
   bool highWordFirst = true;
   bool isSigned = false;
   int bit = -1;  // flags in a word: 0..15
   double scale = 1.0, offset = 0.0;
-  Seconds period{0.05};  // between two polls, or two heartbeats
+  std::optional<double> lowest{}, highest{};  // of a value that can be; none: as far as its kind reaches
+  Seconds period{0.05};                       // between two polls, or two heartbeats
 
   double decode(const RegisterWords& raw) const noexcept;
   bool flag(const RegisterWords& raw) const noexcept;

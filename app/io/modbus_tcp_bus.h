@@ -1,7 +1,8 @@
-// ModbusBus: a RegisterBus over Qt SerialBus, TCP or RTU. The client object is made by connect() and destroyed by
-// close(), so that it lives on the thread that uses it; its events are turned by state(), take() and wait(), because
-// the link thread has no event loop of its own.
-// connectDevice() returns true before TCP is up: only ConnectedState counts.
+// ModbusTcpBus: a RegisterBus over Qt SerialBus. Its answers name the question by a number, so that none is taken for
+// another's; RTU has no such number and goes its own way (core/cnc/modbus/rtu_bus.h). The client object is made by
+// connect() and destroyed by close(), so that it lives on the thread that uses it; its events are turned by state(),
+// take() and wait(), because the link thread has no event loop of its own. connectDevice() returns true before TCP is
+// up: only ConnectedState counts.
 #pragma once
 
 #include <memory>
@@ -10,15 +11,15 @@
 
 #include "core/cnc/modbus/register_bus.h"
 
-class QModbusClient;
 class QModbusReply;
+class QModbusTcpClient;
 
 namespace stillcut::app {
 
-class ModbusBus final : public cnc::RegisterBus {
+class ModbusTcpBus final : public cnc::RegisterBus {
  public:
-  explicit ModbusBus(cnc::BusAddress address);
-  ~ModbusBus() override;
+  explicit ModbusTcpBus(cnc::BusAddress address);
+  ~ModbusTcpBus() override;
 
   std::string_view address() const noexcept override { return name_; }
   void connect() noexcept override;
@@ -36,7 +37,7 @@ class ModbusBus final : public cnc::RegisterBus {
 
   cnc::BusAddress address_;
   std::string name_;
-  std::unique_ptr<QModbusClient> client_;
+  std::unique_ptr<QModbusTcpClient> client_;
   std::unique_ptr<QModbusReply> reply_;
 };
 

@@ -1,9 +1,7 @@
-#include "app/io/modbus_bus.h"
+#include "app/io/modbus_tcp_bus.h"
 
 #include <QEventLoop>
-#include <QModbusRtuSerialClient>
 #include <QModbusTcpClient>
-#include <QSerialPort>
 #include <QTimer>
 #include <QVariant>
 #include <algorithm>
@@ -30,42 +28,28 @@ QModbusDataUnit::RegisterType typeOf(RegisterTable table) {
   return QModbusDataUnit::HoldingRegisters;
 }
 
-QSerialPort::Parity parityOf(char letter) {
-  if (letter == 'N') return QSerialPort::NoParity;
-  return letter == 'O' ? QSerialPort::OddParity : QSerialPort::EvenParity;
-}
-
 }  // namespace
 
-ModbusBus::ModbusBus(cnc::BusAddress address) : address_(std::move(address)) {
+ModbusTcpBus::ModbusTcpBus(cnc::BusAddress address) : address_(std::move(address)) {
   const cnc::WireAddress& w = address_.wire;
-  name_ =
-      (w.host.empty() ? w.device : w.host + ":" + std::to_string(w.port)) + " unit " + std::to_string(address_.unit);
+  name_ = w.host + ":" + std::to_string(w.port) + " unit " + std::to_string(address_.unit);
 }
 
-ModbusBus::~ModbusBus() = default;
+ModbusTcpBus::~ModbusTcpBus() = default;
 
-void ModbusBus::connect() noexcept {
+void ModbusTcpBus::connect() noexcept {
   close();
   const QEventLoop dispatcher;  // gives a thread that Qt did not start what the client's notifiers need
   const cnc::WireAddress& w = address_.wire;
-  if (w.host.empty()) {
-    client_ = std::make_unique<QModbusRtuSerialClient>();
-    client_->setConnectionParameter(QModbusDevice::SerialPortNameParameter, QString::fromStdString(w.device));
-    client_->setConnectionParameter(QModbusDevice::SerialBaudRateParameter, w.baud);
-    client_->setConnectionParameter(QModbusDevice::SerialParityParameter, parityOf(address_.parity));
-    client_->setConnectionParameter(QModbusDevice::SerialStopBitsParameter, address_.stopBits);
-  } else {
-    client_ = std::make_unique<QModbusTcpClient>();
-    client_->setConnectionParameter(QModbusDevice::NetworkAddressParameter, QString::fromStdString(w.host));
-    client_->setConnectionParameter(QModbusDevice::NetworkPortParameter, w.port);
-  }
+  client_ = std::make_unique<QModbusTcpClient>();
+  client_->setConnectionParameter(QModbusDevice::NetworkAddressParameter, QString::fromStdString(w.host));
+  client_->setConnectionParameter(QModbusDevice::NetworkPortParameter, w.port);
   client_->setTimeout(std::max(10, static_cast<int>(address_.answerWithin.value * 1e3)));
   client_->setNumberOfRetries(0);
   if (!client_->connectDevice()) client_.reset();
 }
 
-void ModbusBus::turnEvents(int milliseconds) const noexcept {
+void ModbusTcpBus::turnEvents(int milliseconds) const noexcept {
   QEventLoop loop;
   if (milliseconds <= 0) {
     loop.processEvents();
@@ -79,7 +63,7 @@ void ModbusBus::turnEvents(int milliseconds) const noexcept {
   while (end.isActive() && !finished()) loop.processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
 }
 
-WireState ModbusBus::state() noexcept {
+WireState ModbusTcpBus::state() noexcept {
   if (!client_) return WireState::Closed;
   turnEvents(0);
   switch (client_->state()) {
@@ -93,13 +77,13 @@ WireState ModbusBus::state() noexcept {
   }
 }
 
-bool ModbusBus::read(RegisterTable table, int first, int count) noexcept {
+bool ModbusTcpBus::read(RegisterTable table, int first, int count) noexcept {
   if (!client_ || reply_) return false;
   reply_.reset(client_->sendReadRequest({typeOf(table), first, static_cast<quint16>(count)}, address_.unit));
   return reply_ != nullptr;
 }
 
-bool ModbusBus::write(RegisterTable table, int first, int count, const cnc::RegisterWords& words) noexcept {
+bool ModbusTcpBus::write(RegisterTable table, int first, int count, const cnc::RegisterWords& words) noexcept {
   if (!client_ || reply_) return false;
   QModbusDataUnit unit(typeOf(table), first, static_cast<quint16>(count));
   for (int i = 0; i < count; ++i) unit.setValue(i, words[static_cast<std::size_t>(i)]);
@@ -107,11 +91,11 @@ bool ModbusBus::write(RegisterTable table, int first, int count, const cnc::Regi
   return reply_ != nullptr;
 }
 
-bool ModbusBus::finished() const noexcept {
+bool ModbusTcpBus::finished() const noexcept {
   return reply_ && reply_->isFinished();
 }
 
-std::optional<cnc::BusReply> ModbusBus::take() noexcept {
+std::optional<cnc::BusReply> ModbusTcpBus::take() noexcept {
   if (!reply_) return std::nullopt;
   if (!finished()) turnEvents(0);
   if (!finished()) return std::nullopt;
@@ -125,11 +109,11 @@ std::optional<cnc::BusReply> ModbusBus::take() noexcept {
   return out;
 }
 
-void ModbusBus::wait(Duration atMost) noexcept {
+void ModbusTcpBus::wait(Duration atMost) noexcept {
   turnEvents(std::max(1, static_cast<int>(atMost.count() / 1'000'000)));
 }
 
-void ModbusBus::close() noexcept {
+void ModbusTcpBus::close() noexcept {
   reply_.reset();
   if (client_) client_->disconnectDevice();
   client_.reset();
