@@ -28,7 +28,7 @@ namespace {
 using testing::Child;
 namespace fs = std::filesystem;
 
-constexpr const char* kScript = STILLCUT_SOURCE_DIR "/tests/protocol/modbus_peer.py";
+constexpr const char* kScript = STILLCUT_SOURCE_DIR "/tests/protocol/modbus/modbus_peer.py";
 constexpr int kPort = 15020;
 
 bool pymodbusIsHere() {

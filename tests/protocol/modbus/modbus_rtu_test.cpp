@@ -9,7 +9,7 @@
 
 #include "core/cnc/modbus/modbus_link.h"
 #include "tests/protocol/commands.h"
-#include "tests/protocol/fake_drive.h"
+#include "tests/protocol/modbus/fake_drive.h"
 
 namespace stillcut::cnc {
 namespace {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "tests/protocol/commands.h"
-#include "tests/protocol/fake_plc.h"
+#include "tests/protocol/modbus/fake_plc.h"
 
 namespace stillcut::cnc {
 namespace {

@@ -15,7 +15,7 @@
 #include "core/cnc/modbus/modbus_link.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/commands.h"
-#include "tests/protocol/scripted_modbus.h"
+#include "tests/protocol/modbus/scripted_modbus.h"
 #include "tests/support/bounded_wait.h"
 
 namespace stillcut::cnc {
