@@ -15,7 +15,7 @@ constexpr Duration kLongestLie = std::chrono::seconds(6);
 
 int SharedOverride::target() const noexcept {
   if (factor_ == 1.0) return base_;
-  const int lowest = std::min(lowest_, base_), highest = std::max(highest_, base_);
+  const int lowest = std::min(lowest_, base_), highest = std::max(std::min(highest_, cap_), base_);
   return static_cast<int>(
       std::clamp(std::round(base_ * factor_), static_cast<double>(lowest), static_cast<double>(highest)));
 }
@@ -110,6 +110,10 @@ void SharedOverride::sent(int percent, Instant now) noexcept {
   sent_[sentCount_ % sent_.size()] = {percent, now};
   ++sentCount_;
   underway_ = percent;
+}
+
+void SharedOverride::blind(Duration time, Instant now) noexcept {
+  for (Sent& s : sent_) s.when = std::min(s.when + time, now);
 }
 
 void SharedOverride::refused() noexcept {

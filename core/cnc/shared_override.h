@@ -33,6 +33,10 @@ class SharedOverride {
   SharedOverride(int lowest, int highest, const Manners& manners)
       : lowest_(lowest), highest_(highest), manners_(manners) {}
 
+  static constexpr int kNoCap = 1000;
+  // The peer takes no more than this, %: nothing above it is asked for.
+  void cap(int highest) noexcept { cap_ = highest; }
+
   // The register was read: `percent`. Values that we sent may show up late (Manners::latestEcho).
   void seen(int percent, Instant now) noexcept;
   // Our factor on the base, of engagement `engagement`; ignored while the operator's hand has ended that engagement.
@@ -43,6 +47,8 @@ class SharedOverride {
   // register has been seen once. Say sent() when it went out.
   std::optional<int> due() const noexcept;
   void sent(int percent, Instant now) noexcept;
+  // Nothing could show for so long, because nothing came: what was sent may show that much later.
+  void blind(Duration time, Instant now) noexcept;
   // The peer refused: what was sent is not on its way.
   void refused() noexcept;
   // The connection broke: the register must be seen again before anything is sent. What we ever sent on this base is
@@ -81,6 +87,7 @@ class SharedOverride {
   bool undoHand(int percent, Instant now) noexcept;
 
   int lowest_, highest_;
+  int cap_ = kNoCap;
   Manners manners_;
   std::optional<int> shown_;
   std::optional<int> doubted_;  // a foreign value that has been read, but not often enough

@@ -15,7 +15,7 @@ struct LinkTimes {
   Instant commanded{};     // the newest order that differs from the one before
   Instant acknowledged{};  // the newest order that was
   Instant overrides{};     // read back: what is in force
-  Instant speed{};         // actual speed, at speed
+  Instant speed{};         // actual speed, at speed; never where nothing measures it
   Instant feed{};
   Instant program{};    // running, hold, S and F words
   Seconds roundTrip{};  // from a request to its answer; a median, 0: not measured
@@ -45,8 +45,9 @@ enum class OverrideInhibit : std::uint8_t {
   ComponentSilent,  // stillcut-hal does not answer
   ComponentDown,    // stillcut-hal has not seen the machine's watchdog act
   ComponentOut,     // the machine's watchdog or the operator's switch has taken stillcut-hal out
+  Starting,         // its port was opened, and a board that starts anew then is deaf for seconds
 };
-inline constexpr int kOverrideInhibits = 13;
+inline constexpr int kOverrideInhibits = 14;
 std::string_view name(OverrideInhibit block);
 
 struct MachineState {

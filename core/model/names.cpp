@@ -78,9 +78,9 @@ std::string_view name(Authority a) {
 
 std::string_view name(OverrideInhibit block) {
   constexpr std::array<std::string_view, kOverrideInhibits> kNames{
-      "none",         "machine-off",     "machine-alarm", "no-program",      "overrides-locked", "speed-locked",
-      "feed-locked",  "adaptive-locked", "other-client",  "control-refused", "component-silent", "component-down",
-      "component-out"};
+      "none",          "machine-off",     "machine-alarm", "no-program",      "overrides-locked", "speed-locked",
+      "feed-locked",   "adaptive-locked", "other-client",  "control-refused", "component-silent", "component-down",
+      "component-out", "starting"};
   return kNames[static_cast<std::size_t>(block) % kNames.size()];
 }
 

@@ -1,5 +1,6 @@
 // A GRBL 1.1 controller behind a serial wire: real-time bytes without a reply, one flag per kind and loop, "Ov:" right
 // after a change and otherwise in every tenth report. A report that is asked for in the same loop is written first.
+// With `boot` it starts anew whenever its port is opened, as boards do whose USB chip pulls their reset.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +18,26 @@ class FakeGrbl final : public Peer {
   double f = 1200.0, s = 8800.0;
   std::string extra;     // further fields, as grblHAL has them
   bool ignores = false;  // real-time bytes are lost on the way
-  int loses = 0;         // so many of the next real-time bytes
+  bool refusesSpeed = false, refusesFeed = false;
+  int loses = 0;  // so many of the next real-time bytes
   int reports = 0;
   int lies = 0, liedFeed = 0;  // so many of the next "Ov:" say this feed
   std::string moved;           // 'f' or 's' for each step that was taken
+  double boot = 0.0;           // [s] it is deaf after its port was opened
+  int opened = 0;
 
+  void connected() override {
+    ++opened;
+    starts_ = boot > 0.0;
+  }
   void take(std::string_view bytes, Instant now, const Answer& answer) override {
+    if (std::exchange(starts_, false)) {
+      feed = spindle = 100;
+      changed_ = true;
+      ready_ = now + toDuration(Seconds(boot));
+      answer("\r\nGrbl 1.1h ['$' for help]\r\n", boot);
+    }
+    if (now < ready_) return;
     // Everything of one write falls into one loop of the controller: equal bytes count once.
     if (bytes.find('?') != std::string_view::npos) report(now, answer);
     std::array<bool, 256> seen{};
@@ -42,6 +57,7 @@ class FakeGrbl final : public Peer {
     static constexpr std::array<int, 5> kBy{0, 10, -10, 1, -1};
     const bool isFeed = byte < 0x95;
     if (byte >= 0x95 && byte < 0x99) return;  // rapids
+    if (isFeed ? refusesFeed : refusesSpeed) return;
     const int by = kBy[static_cast<std::size_t>(byte - (isFeed ? 0x90 : 0x99)) % 5];
     moved += isFeed ? 'f' : 's';
     if (now != changedAt_) feedBefore_ = feed, spindleBefore_ = spindle;
@@ -62,7 +78,8 @@ class FakeGrbl final : public Peer {
     changed_ = changed_ && sameLoop;
     answer(r + ">\r\n", 0.005);
   }
-  bool changed_ = false;
+  bool changed_ = false, starts_ = false;
+  Instant ready_{};
   int feedBefore_ = 100, spindleBefore_ = 100;
   Instant changedAt_{};
 };

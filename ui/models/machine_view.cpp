@@ -61,6 +61,8 @@ QString blocked(const MachineState& m) {
       return say("stillcut-hal has not seen the machine's watchdog act");
     case OverrideInhibit::ComponentOut:
       return say("The machine's watchdog or the operator's switch has taken Stillcut out");
+    case OverrideInhibit::Starting:
+      return say("The controller starts, as many do when their port is opened: this takes up to 4 s");
     case OverrideInhibit::None:
       break;
   }
@@ -171,11 +173,15 @@ MachineView makeMachineView(const Picture& picture) {
     view.speed = {say("Speed"), none, none, none, rpm, Tone::Faint, true};
     view.feed = {say("Feed"), none, none, none, feed, Tone::Faint, true};
     view.warning = picture.snapshot != nullptr;
-    if (view.warning) view.note = say("Nothing was read from the machine yet");
+    if (!view.warning) return view;
+    const bool starting = picture.snapshot->machine.block == OverrideInhibit::Starting;
+    view.note = starting ? blocked(picture.snapshot->machine) : say("Nothing was read from the machine yet");
     return view;
   }
   const MachineState& m = picture.snapshot->machine;
+  const bool measured = m.actualSpeed.value > 0.0 || m.link.speed != Instant{};
   view.speed = row(say("Speed"), rpm, m.programmedSpeed.value, m.speedOverride, m.operatorSpeed, m.actualSpeed.value);
+  if (!measured) view.speed.actual = say("not measured");
   view.feed = row(say("Feed"), feed, feedIn(m.programmedFeed, picture.units), m.feedOverride, m.operatorFeed,
                   feedIn(m.actualFeed, picture.units));
   // Read after the block was recorded: as new as can be.

@@ -16,6 +16,7 @@ constexpr Duration kConnectTime = std::chrono::seconds(1);
 constexpr Duration kPatience = std::chrono::milliseconds(150);  // grblHAL answers after 30 ms; a '?' may go unanswered
 constexpr Seconds kPeriod{0.2};                                 // one that went unanswered, and the answer to the next
 constexpr int kMostMissed = 4;
+constexpr int kReadsAtOnce = 16;  // of 512 bytes: a peer may flood
 constexpr Duration kWordsEvery = std::chrono::milliseconds(500);
 constexpr Duration kFresh = std::chrono::milliseconds(500);
 constexpr Duration kOpenTime = std::chrono::seconds(3);
@@ -49,25 +50,37 @@ LinkInfo GrblLink::describe() const {
 
 Status GrblLink::open() {
   const Instant began = clock_.now();
+  std::optional<Instant> heard;
   while (!read(clock_.now()).valid) {
     wire_->wait(kWait);
-    if (clock_.now() - began <= kOpenTime) continue;
+    const Instant now = clock_.now();
+    if (ever_ && !heard) heard = now;
+    if (starting(now) || now - heard.value_or(began) <= kOpenTime) continue;
     const bool opened = wire_->state() == WireState::Open;
-    return Error{std::string(wire_->address()), opened ? message("no GRBL status report") : message("cannot be opened"),
-                 opened ? message("is this the controller's port, and the baud rate right?")
-                        : message("is it there, and free?")};
+    const Error why{std::string(wire_->address()),
+                    opened ? message("no GRBL status report") : message("cannot be opened"),
+                    opened ? message("is this the controller's port, and the baud rate right?")
+                           : message("is it there, and free?")};
+    drop(now);
+    return why;
   }
-  drop(began);  // the wire is taken up again by the thread that reads from now on
+  wire_->handOver();  // open, as it is
   return Done{};
+}
+
+// Nothing that was known is: as after a connection that broke.
+void GrblLink::forget() noexcept {
+  speed_.lost();
+  feed_.lost();
+  waiting_ = ever_ = wordsKnown_ = false;
+  missed_ = 0;
 }
 
 void GrblLink::drop(Instant now) noexcept {
   wire_->close();
   splitter_.clear();
-  speed_.lost();
-  feed_.lost();
-  waiting_ = ever_ = wordsKnown_ = false;
-  missed_ = 0;
+  forget();
+  opened_.reset();
   nextTry_ = now + kRetry;
 }
 
@@ -75,15 +88,17 @@ void GrblLink::keepUp(Instant now) noexcept {
   const WireState wire = wire_->state();
   if (wire == WireState::Opening && now >= nextTry_ - kRetry + kConnectTime) drop(now);
   if (wire != WireState::Closed) return;
-  if (ever_ || waiting_) drop(now);
+  if (ever_ || waiting_ || opened_) drop(now);
   if (now < nextTry_) return;
   nextTry_ = now + kRetry;
+  opened_ = now;
   wire_->connect();
 }
 
 void GrblLink::listen(Instant now) noexcept {
   std::array<char, 512> bytes;
-  while (const std::size_t n = wire_->read(bytes)) {
+  for (int i = 0; i < kReadsAtOnce; ++i) {
+    const std::size_t n = wire_->read(bytes);
     splitter_.feed({bytes.data(), n}, [&](std::string_view line) {
       GrblReport report;
       switch (readGrblLine(line, report, words_)) {
@@ -116,8 +131,12 @@ void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
   const bool sure = sinceMove && answersSinceMove_ > 0;
   if (sinceMove) ++answersSinceMove_;
   if (std::exchange(waiting_, false)) roundTrip_.take(secondsBetween(askedAt_, std::max(now, clock_.now())));
+  if (heard_ != Instant{} && now - heard_ > kPatience) {
+    for (Axis* axis : {&speed_, &feed_}) axis->blind(now - heard_, now);
+  }
   missed_ = 0;
   ever_ = true;
+  opened_.reset();
   heard_ = now;
   report_ = report;
   if (!report.speedOverride) return;
@@ -131,11 +150,15 @@ void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
 
 void GrblLink::ask(Instant now) noexcept {
   if (waiting_ && now - asked_ <= kPatience) return;
-  if (waiting_ && ++missed_ > kMostMissed) return drop(now);
+  if (waiting_ && !starting(now) && ++missed_ > kMostMissed) {
+    if (!settings_.wire.host.empty()) return drop(now);
+    forget();
+  }
   waiting_ = true;
   asked_ = now;
   askedAt_ = std::max(now, clock_.now());
-  const bool words = settings_.askWords && now - askedWords_ > kWordsEvery;
+  // A board that starts is asked by the byte that needs no line.
+  const bool words = settings_.askWords && ever_ && now - askedWords_ > kWordsEvery;
   if (words) askedWords_ = now;
   if (!wire_->write(words ? "?$G\n" : "?")) drop(now);
 }
@@ -206,12 +229,14 @@ MachineState GrblLink::state(Instant now) const noexcept {
   m.time = heard_;
   m.linkUp = ever_ && wire_->state() == WireState::Open;
   m.link.overrides = shownAt_;
-  m.link.speed = m.link.feed = heard_;
+  if (report_.measuredSpeed) m.link.speed = heard_;
+  m.link.feed = heard_;
   m.link.program = settings_.askWords ? std::min(heard_, toldWords_) : heard_;
   m.link.roundTrip = roundTrip_.typical();
   const GrblReport& r = report_;
   m.valid =
       m.linkUp && now - heard_ <= kFresh && speed_.known() && r.feed && r.speed && (wordsKnown_ || !settings_.askWords);
+  if (starting(now) && wire_->state() == WireState::Open) m.block = OverrideInhibit::Starting;
   if (!m.valid) return m;
   m.programRunning = r.state == GrblState::Run || r.state == GrblState::Hold;
   m.feedHold = r.state == GrblState::Hold;

@@ -3,7 +3,11 @@
 // most one step of a kind and waits until it shows; where it does not show, the next is to 100 %, which has a byte of
 // its own, and not one more step from a place that nobody knows. On every end the overrides go back; 100 % has bytes of
 // its own, which work whatever was lost on the way. FS is what is programmed, not what turns: a plain GRBL reports no
-// measured speed (actualSpeed stays 0). The port belongs to whoever streams the program, so this needs a controller
+// measured speed (actualSpeed stays 0, and LinkTimes::speed at never).
+// Many boards start anew when their port opens, and are deaf for up to 3 s: the port is opened once and handed from
+// open() to the link thread, and while the boot time lasts silence is no fault. A serial port that is open stays so
+// through any silence, because opening it again would start the board again; a TCP connection is made anew.
+// The port belongs to whoever streams the program, so this needs a controller
 // with a second stream, or a sender that shares it. The controller has no watchdog: describe() says so. Thread: as
 // CncLink says; a tick waits at most kWait; all of letting go takes at most kReleaseTime.
 #pragma once
@@ -48,6 +52,7 @@ class GrblLink final : public CncLink {
 
   static constexpr Duration kWait = std::chrono::milliseconds(6);
   static constexpr Duration kReleaseTime = std::chrono::milliseconds(800);
+  static constexpr Duration kBootTime = std::chrono::seconds(4);  // from the port's opening to the first word
 
  private:
   void tick(Instant now) noexcept;
@@ -64,7 +69,9 @@ class GrblLink final : public CncLink {
   };
   void resynchronise() noexcept;
   void move(Axis& knob, unsigned char firstByte, Instant now) noexcept;
+  void forget() noexcept;
   void drop(Instant now) noexcept;
+  bool starting(Instant now) const noexcept { return !ever_ && opened_ && now - *opened_ <= kBootTime; }
   MachineState state(Instant now) const noexcept;
 
   GrblSettings settings_;
@@ -83,7 +90,8 @@ class GrblLink final : public CncLink {
   Instant askedAt_{};  // by the clock, for the round trip
   DelayGauge roundTrip_;
   ReleaseBudget releaseBudget_;
-  bool ever_ = false;
+  bool ever_ = false;              // it was heard since it was last lost
+  std::optional<Instant> opened_;  // the port, as long as nothing was heard since
 };
 
 }  // namespace stillcut::cnc

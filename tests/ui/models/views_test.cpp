@@ -154,6 +154,23 @@ TEST(MachineView, OldValuesAreShownAsOld) {
   EXPECT_EQ(makeMachineView(s.picture()).speed.actual, QString(QChar(0x2013)));
 }
 
+// A speed that nothing measures is no speed of 0.
+TEST(MachineView, AnActualSpeedThatNothingMeasuresIsSaid) {
+  Scene s = stableScene();
+  s.snapshot.machine.actualSpeed = Rpm(0.0);
+  s.snapshot.machine.link.speed = {};
+  EXPECT_EQ(makeMachineView(s.picture()).speed.actual, QString("not measured"));
+  s.snapshot.machine.link.speed = s.snapshot.time;  // it stands still
+  EXPECT_NE(makeMachineView(s.picture()).speed.actual, QString("not measured"));
+}
+
+TEST(MachineView, AControllerThatStartsIsNotSilence) {
+  Scene s = stableScene();
+  s.snapshot.machine.valid = false;
+  s.snapshot.machine.block = OverrideInhibit::Starting;
+  EXPECT_TRUE(makeMachineView(s.picture()).note.startsWith("The controller starts"));
+}
+
 TEST(MachineView, TheOperatorsKnobIsNotOurMove) {
   Scene s = stableScene();
   s.snapshot.machine.operatorSpeed = s.snapshot.machine.speedOverride = Ratio(0.8);

@@ -319,5 +319,22 @@ TEST(SharedOverride, InTheEndTheRegisterIsTheOperators) {
   }
 }
 
+// Where nothing came for a while nothing could show: what shows then and was sent before is still ours.
+TEST(SharedOverride, WhatShowsAfterASilenceIsNoHand) {
+  for (const bool silent : {false, true}) {
+    SharedOverride knob(10, 200, {.sightings = 2, .inOrder = false, .latestEcho = std::chrono::seconds(1)});
+    const auto at = [](double t) { return Instant{} + toDuration(Seconds(10.0 + t)); };
+    knob.seen(100, at(0.0));
+    knob.want(Ratio(0.94), 1);
+    knob.sent(94, at(0.1));
+    knob.relinquish();
+    if (silent) knob.blind(std::chrono::milliseconds(1900), at(2.0));
+    knob.seen(94, at(2.0));
+    knob.seen(94, at(2.1));
+    EXPECT_NEAR(knob.base().value, silent ? 1.0 : 0.94, 1e-9);
+    EXPECT_EQ(knob.target(), silent ? 100 : 94);
+  }
+}
+
 }  // namespace
 }  // namespace stillcut::cnc
