@@ -109,6 +109,16 @@ Result<config::Profile> wanted(const DeviceOptions& o, const config::ParamCatalo
   return profile;
 }
 
+bool printEffect(const EffectTrial& moved) {
+  if (!moved.problem.empty()) {
+    std::printf("no   Measure the effect: %s\n", moved.problem.c_str());
+    return false;
+  }
+  std::printf("ok   Measure the effect: an order acts after %.1f ms, seen in %d moves\n", 1e3 * moved.effect.value,
+              moved.moves);
+  return true;
+}
+
 int tryLink(const DeviceOptions& o) {
   if (o.save && o.profile.empty())
     return fail(Error{"--save", message("needs --profile"), message("that is where it is saved")});
@@ -121,28 +131,27 @@ int tryLink(const DeviceOptions& o) {
   if (!link) return fail(link.error());
   mindInterruption();
   cnc::LinkTrial trial(**link, clock);
-  while (!interrupted() && trial.next()) {
+  const Seconds before = cnc::savedDelay(profile->link.settings, cnc::kSavedDelay);
+  const Seconds effect = cnc::savedDelay(profile->link.settings, cnc::kSavedEffect);
+  trial.proved(effect);
+  Seconds measured{};
+  while (!interrupted()) {
+    // An order is tried before it is said what orders can do.
+    if (o.effect && trial.atLast()) {
+      const EffectTrial moved = measureEffect(**link, clock, interrupted);
+      if (!printEffect(moved)) return kExitDevice;
+      measured = moved.effect;
+      trial.proved(measured);
+    }
+    if (!trial.next()) break;
     const cnc::LinkTrialStep& step = trial.steps().back();
     std::printf("%-4s %s: %s\n", step.good ? "ok" : "no", step.what.c_str(), text(step.said).c_str());
     std::fflush(stdout);
   }
   if (interrupted()) std::puts("no   interrupted");
   if (interrupted() || !trial.passed()) return kExitDevice;
-  const Seconds before = cnc::savedDelay(profile->link.settings, cnc::kSavedDelay);
   if (before.value > 0.0) std::printf("     a look took %.2f ms when this was saved\n", 1e3 * before.value);
-  const Seconds effect = cnc::savedDelay(profile->link.settings, cnc::kSavedEffect);
   if (effect.value > 0.0) std::printf("     an order took %.1f ms to act in the last run\n", 1e3 * effect.value);
-  Seconds measured{};
-  if (o.effect) {
-    const EffectTrial moved = measureEffect(**link, clock, interrupted);
-    measured = moved.effect;
-    if (!moved.problem.empty()) {
-      std::printf("no   Measure the effect: %s\n", moved.problem.c_str());
-      return kExitDevice;
-    }
-    std::printf("ok   Measure the effect: an order acts after %.1f ms, seen in %d moves\n", 1e3 * measured.value,
-                moved.moves);
-  }
   if (!o.save) return kExitDone;
   cnc::saveDelay(profile->link.settings, cnc::kSavedDelay, trial.look());
   if (measured.value > 0.0) cnc::saveDelay(profile->link.settings, cnc::kSavedEffect, measured);

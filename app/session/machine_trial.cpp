@@ -78,8 +78,10 @@ class Steps {
 };
 
 // The same steps and sentences as on the command line: the first is the link's, what follows the machine's.
-Seconds tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
+// `effect`: how long an order took to act in the last run; 0: none was seen.
+Seconds tryLink(cnc::CncLink& link, const Clock& clock, Seconds effect, Steps& steps) {
   cnc::LinkTrial trial(link, clock);
+  trial.proved(effect);
   QStringList said;
   while (trial.next()) {
     const cnc::LinkTrialStep& step = trial.steps().back();
@@ -108,6 +110,7 @@ Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkS
     return {};
   }
   cnc::LinkTrial trial(**link, clock);
+  trial.proved(cnc::savedDelay(profile.link.settings, cnc::kSavedEffect));
   while (!toEnd && trial.next()) {
     const cnc::LinkTrialStep& step = trial.steps().back();
     steps.put({text(step.what), ui::sayCore(step.said), step.good});
@@ -147,7 +150,8 @@ ProfileTrial tryProfile(const config::Profile& profile, const std::string& path)
     return {steps.take(), {}};
   }
   if (!parts->link) return {steps.take(), {}};
-  const Seconds look = tryLink(*parts->link, *parts->clock, steps);
+  const Seconds effect = cnc::savedDelay(profile.link.settings, cnc::kSavedEffect);
+  const Seconds look = tryLink(*parts->link, *parts->clock, effect, steps);
   return {steps.take(), look};
 }
 

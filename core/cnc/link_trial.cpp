@@ -22,15 +22,19 @@ constexpr const char* kHeld = "feed held";
 constexpr const char* kRunning = "program running";
 constexpr const char* kIdle = "no program running";
 constexpr const char* kSpindle = "spindle %1 rev/min, programmed %2";
+constexpr const char* kUnmeasured = "spindle programmed %1 rev/min, not measured";
 constexpr const char* kOverrides = "overrides %1 % speed, %2 % feed";
 constexpr const char* kLocked = "locked by the program";
 constexpr const char* kDelay = "a look takes %1 ms, and what it shows is %2 ms old";
 constexpr const char* kLost = "%1 of %2 looks were lost";
 constexpr const char* kRange = "speed %1 to %2 %, feed %3 to %4 %";
+constexpr const char* kProved = "an order was seen to act, and to be taken back, after %1 ms";
+constexpr const char* kUnproved = "no order has shown it yet: nothing was moved";
 constexpr const char* kWatchdog = "the machine goes back by itself when nothing comes from here";
 constexpr const char* kNoWatchdog = "the machine has no watchdog: if this program dies, the overrides stay";
-constexpr std::array kWords{kAnswers,   kIncomplete, kOff,   kAlarm, kHeld,  kRunning,  kIdle,      kSpindle,
-                            kOverrides, kLocked,     kDelay, kLost,  kRange, kWatchdog, kNoWatchdog};
+constexpr std::array kWords{kAnswers, kIncomplete, kOff,        kAlarm,     kHeld,     kRunning,
+                            kIdle,    kSpindle,    kUnmeasured, kOverrides, kLocked,   kDelay,
+                            kLost,    kRange,      kProved,     kUnproved,  kWatchdog, kNoWatchdog};
 
 std::string number(double value, int decimals = 0) {
   std::array<char, 32> digits{};
@@ -40,6 +44,12 @@ std::string number(double value, int decimals = 0) {
 
 std::string percent(Ratio value) {
   return number(100.0 * value.value);
+}
+
+Message spindle(const MachineState& m) {
+  const std::string programmed = number(m.programmedSpeed.value);
+  const bool measured = m.actualSpeed.value > 0.0 || m.link.speed != Instant{};
+  return measured ? Message(kSpindle, {number(m.actualSpeed.value), programmed}) : Message(kUnmeasured, {programmed});
 }
 
 Seconds median(std::vector<double> values) {
@@ -98,11 +108,8 @@ LinkTrialStep LinkTrial::read() {
                             : m.feedHold                               ? kHeld
                             : m.programRunning                         ? kRunning
                                                                        : kIdle;
-  LinkTrialStep step{kNames[1],
-                     {{doing, {}},
-                      {kSpindle, {number(m.actualSpeed.value), number(m.programmedSpeed.value)}},
-                      {kOverrides, {percent(m.speedOverride), percent(m.feedOverride)}}},
-                     true};
+  LinkTrialStep step{
+      kNames[1], {{doing, {}}, spindle(m), {kOverrides, {percent(m.speedOverride), percent(m.feedOverride)}}}, true};
   if (!m.overridesEnabled) step.said.push_back({kLocked, {}});
   return step;
 }
@@ -131,6 +138,7 @@ LinkTrialStep LinkTrial::safety() const {
       kNames[3],
       {{kRange,
         {percent(info.lowestSpeed), percent(info.highestSpeed), percent(info.lowestFeed), percent(info.highestFeed)}},
+       effect_.value > 0.0 ? Message(kProved, {number(1e3 * effect_.value)}) : Message(kUnproved, {}),
        {info.machineWatchdog ? kWatchdog : kNoWatchdog, {}}},
       true};
 }

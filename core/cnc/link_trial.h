@@ -1,6 +1,7 @@
 // LinkTrial: tries a machine link step by step and says in plain words what came of each step. It only reads: a command
-// can come from the gate alone. The command line and a set-up page show the same sentences, the page translated.
-// Thread: one that may wait: open() takes seconds at most, every other step bounded time.
+// can come from the gate alone. Whether an order acts is for others to try, and what a machine can do is said with it.
+// The command line and a set-up page show the same sentences, the page translated. Thread: one that may wait: open()
+// takes seconds at most, every other step bounded time.
 #pragma once
 
 #include <array>
@@ -27,6 +28,10 @@ class LinkTrial {
 
   // Takes the next step; false: there is none, because all are done or one has failed.
   bool next();
+  // The next one is the last: what the machine can do.
+  bool atLast() const { return steps_.size() + 1 == kSteps && steps_.back().good; }
+  // An order was seen to act and to be taken back, now or in an earlier run, after so long; 0: none was.
+  void proved(Seconds effect) { effect_ = effect; }
   const std::vector<LinkTrialStep>& steps() const { return steps_; }
   bool passed() const;
   // How long a look at the machine takes, and how old what it shows is; medians, 0 before they were measured.
@@ -49,7 +54,7 @@ class LinkTrial {
   CncLink& link_;
   const Clock& clock_;
   std::vector<LinkTrialStep> steps_;
-  Seconds look_{}, age_{};
+  Seconds look_{}, age_{}, effect_{};
 };
 
 }  // namespace stillcut::cnc

@@ -1,6 +1,7 @@
 // LinuxCNC as linuxcncrsh and halrmt show it, with the manners found on the real one: one client is in control, an
 // override's ACK takes 100 ms, under M49, M50 P0 and M51 P0 it is acknowledged and read back and has no effect, the
-// overrides stay when the client dies, and a get without the spindle's number crashes the server.
+// overrides stay when the client dies, and a get without the spindle's number crashes the server. Newer ones (Dialect)
+// take the per cent before the spindle, and no more than 100, and complain in lines of their own.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,10 @@
 
 namespace stillcut::cnc::testing {
 
+enum class Dialect { Old, Ten, Master };  // 2.9, 2.10, and the C sources between them
+
 struct FakeMill {
+  Dialect dialect = Dialect::Old;
   int feed = 100, spindle = 100;
   int shownFeed = 100, shownSpindle = 100;  // read-back
   double s = 8000.0, f = 600.0;
@@ -22,6 +26,8 @@ struct FakeMill {
   bool speedLocked = false, feedLocked = false;    // M51 P0, M50 P0; both: M49
   bool refusesControl = false;                     // "set enable" is not acknowledged
   bool refusesSpeed = false, refusesFeed = false;  // an override alone is not taken
+  bool mumbles = false;                            // obeys an override, and answers in words of its own
+  int complaints = 0;                              // of orders that newer dialects refuse
   int questions = 0;                               // to linuxcncrsh
   double moves = 1.0;                              // of the path's velocity: rapid moves, corners
   double adaptive = 1.0;                           // motion.adaptive-feed
@@ -82,9 +88,13 @@ class FakeEmcClient final : public Peer {
       if (mill_.owner == this) mill_.owner = nullptr;
       ack("ENABLE", true, 0.0, answer);
     } else if (line == "set set_wait received") {
-      ack("SET_WAIT", true, 0.0, answer);
+      setWait(answer);
+    } else if (line == "set wait_mode received" && mill_.dialect != Dialect::Old) {
+      ack("WAIT_MODE", true, 0.0, answer);
     } else if (line.starts_with("set feed_override ")) {
       set(line.substr(18), "FEED_OVERRIDE", mill_.feed, mill_.shownFeed, answer);
+    } else if (mill_.dialect != Dialect::Old && line.starts_with("set spindle_override ")) {
+      setSpindle(line.substr(21), answer);
     } else if (line.starts_with("set spindle_override 0 ")) {
       set(line.substr(23), "SPINDLE_OVERRIDE", mill_.spindle, mill_.shownSpindle, answer);
     } else if (line.starts_with("set spindle_override") || line == "get spindle_override" || line == "get spindle") {
@@ -92,6 +102,31 @@ class FakeEmcClient final : public Peer {
     } else {
       get(line, answer);
     }
+  }
+  void setWait(const Answer& answer) const {
+    if (mill_.dialect == Dialect::Ten) {
+      answer("error: Subcommand not found: SET set_wait\r\n", 0.0);
+      answer("SET NAK\r\n", 0.0);
+      return;
+    }
+    if (mill_.dialect == Dialect::Master) answer("WARNING: \"set_wait\" is deprecated\n", 0.0);
+    ack("SET_WAIT", true, 0.0, answer);
+  }
+  // "95 0"
+  void setSpindle(const std::string& words, const Answer& answer) {
+    const std::size_t space = words.find(' ');
+    const int percent = std::stoi(words);
+    const int spindle = space == std::string::npos ? 0 : std::stoi(words.substr(space));
+    if (spindle < -1 || spindle > 0 || percent < 0 || percent > 100) {
+      ++mill_.complaints;
+      answer("error: invalid\r\n", 0.0);
+      if (mill_.dialect == Dialect::Ten) ack("SPINDLE_OVERRIDE", false, 0.0, answer);
+      return;
+    }
+    set(std::to_string(percent), "SPINDLE_OVERRIDE", mill_.spindle, mill_.shownSpindle, answer);
+  }
+  std::string shown(int percent) const {
+    return std::to_string(percent) + (mill_.dialect == Dialect::Master ? ".000000" : "");
   }
   void set(const std::string& value, const std::string& what, int& inForce, int& shown, const Answer& answer) {
     const bool refused = what == "FEED_OVERRIDE" ? mill_.refusesFeed : mill_.refusesSpeed;
@@ -101,15 +136,16 @@ class FakeEmcClient final : public Peer {
     }
     ++mill_.sets;
     inForce = shown = std::stoi(value);
+    if (mill_.mumbles) return answer("okay, done\r\n", 0.1);
     ack(what, true, 0.1, answer);
   }
   void get(const std::string& line, const Answer& answer) const {
     const std::string nl = "\r\n";
     mill_.questions += line.starts_with("get pinval ") ? 0 : 1;
     if (line == "get enable") answer(std::string("ENABLE ") + (mill_.owner == this ? "ON" : "OFF") + nl, 0.0);
-    if (line == "get feed_override") answer("FEED_OVERRIDE " + std::to_string(mill_.shownFeed) + nl, 0.0);
+    if (line == "get feed_override") answer("FEED_OVERRIDE " + shown(mill_.shownFeed) + nl, 0.0);
     if (line == "get spindle_override 0") {
-      answer("SPINDLE_OVERRIDE 0 " + std::to_string(mill_.shownSpindle) + nl, 0.0);
+      answer("SPINDLE_OVERRIDE 0 " + shown(mill_.shownSpindle) + nl, 0.0);
     }
     if (line == "get machine") answer(std::string("MACHINE ") + (mill_.machineOn ? "ON" : "OFF") + nl, 0.0);
     if (line == "get program_status") {

@@ -14,7 +14,7 @@ namespace {
 class Machine final : public CncLink {
  public:
   explicit Machine(test::VirtualClock& clock) : clock_(clock) {}
-  bool there = true, readable = true, watchdog = false;
+  bool there = true, readable = true, watchdog = false, measures = true;
   int lostLooks = 0, closed = 0, moved = 0;
 
   LinkInfo describe() const override {
@@ -32,7 +32,7 @@ class Machine final : public CncLink {
     clock_.advance(Seconds(readable ? 0.004 : 0.5));
     m.valid = readable && (looks_++ == 0 || lostLooks-- <= 0);
     m.programmedSpeed = Rpm(8000.0);
-    m.actualSpeed = Rpm(7200.0);
+    m.actualSpeed = Rpm(measures ? 7200.0 : 0.0);
     m.speedOverride = Ratio(0.9);
     return m;
   }
@@ -69,12 +69,30 @@ TEST(LinkTrial, GoodLinkPassesEveryStepIsMeasuredAndNothingMoves) {
   EXPECT_EQ(b.machine.moved, 0);
 }
 
+TEST(LinkTrial, ASpeedThatNothingMeasuresIsNoSpeed) {
+  Bench b;
+  b.machine.measures = false;
+  b.run();
+  EXPECT_NE(text(b.trial.steps()[1].said).find("spindle programmed 8000 rev/min, not measured"), std::string::npos);
+}
+
 TEST(LinkTrial, SaysWhetherTheMachineWatches) {
   Bench without;
   EXPECT_NE(text(without.run().said).find("no watchdog"), std::string::npos);
   Bench with;
   with.machine.watchdog = true;
   EXPECT_NE(text(with.run().said).find("goes back by itself"), std::string::npos);
+}
+
+// What a machine can do is what it was told it can, until an order has shown it.
+TEST(LinkTrial, SaysWhetherAnOrderHasShownWhatItCanDo) {
+  Bench b;
+  EXPECT_NE(text(b.run().said).find("no order has shown it yet"), std::string::npos);
+  Bench proved;
+  while (!proved.trial.atLast()) ASSERT_TRUE(proved.trial.next());
+  proved.trial.proved(Seconds(0.0962));
+  EXPECT_NE(text(proved.run().said).find("an order was seen to act, and to be taken back, after 96 ms"),
+            std::string::npos);
 }
 
 TEST(LinkTrial, StopsAtTheStepThatFailsAndSaysWhy) {
@@ -104,11 +122,13 @@ TEST(LinkTrial, EverythingThatItSaysIsListedForTranslation) {
   const auto listed = [](const std::string& form) {
     return std::ranges::any_of(LinkTrial::words(), [&form](const char* word) { return form == word; });
   };
-  Bench plain, doubtful, mute;
+  Bench plain, doubtful, mute, blind;
+  blind.machine.measures = false;
   doubtful.machine.watchdog = true;
+  doubtful.trial.proved(Seconds(0.1));
   doubtful.machine.lostLooks = 20;
   mute.machine.readable = false;
-  for (Bench* b : {&plain, &doubtful, &mute}) {
+  for (Bench* b : {&plain, &doubtful, &mute, &blind}) {
     b->run();
     for (const LinkTrialStep& step : b->trial.steps()) {
       for (const Message& phrase : step.said) EXPECT_TRUE(listed(phrase.form)) << phrase.form;

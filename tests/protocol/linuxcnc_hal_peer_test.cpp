@@ -37,13 +37,13 @@ class PinWatch {
  public:
   PinWatch() : session_(std::move(app::makeWire({"127.0.0.1", LinuxCncPeer::kHalPort, {}})).value(), "EMC") {}
   bool readable() {
-    session_.pump(clock_.now(), [](std::string_view) {});
+    session_.pump(clock_.now(), [](std::string_view, bool) {});
     return session_.idle();
   }
   // Both as programmed: 8000 rev/min, 600 mm/min.
   bool home() {
     const Instant now = clock_.now();
-    const auto take = [&](std::string_view line) { status_.take(line, now); };
+    const auto take = [&](std::string_view line, bool) { status_.take(line, now); };
     for (const char* request : {"get pinval spindle.0.speed-out", "get pinval motion.current-vel"}) {
       session_.pump(now, take);
       if (!session_.ask(request, now)) return false;

@@ -38,6 +38,8 @@ class EmcBackend {
   virtual bool heard() const noexcept = 0;
   // The machine was seen to go home by itself when nothing comes from here.
   virtual bool watchdog() const noexcept = 0;
+  // The most that it takes for the spindle, %.
+  virtual int highestSpeed() const noexcept { return SharedOverride::kNoCap; }
   // From an order to its acknowledgement; 0: none yet.
   virtual Seconds roundTrip() const noexcept = 0;
   // When an order was acknowledged last; 0: never.

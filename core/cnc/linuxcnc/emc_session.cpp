@@ -1,7 +1,10 @@
 #include "core/cnc/linuxcnc/emc_session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
+
+#include "core/cnc/wire_number.h"
 
 namespace stillcut::cnc {
 namespace {
@@ -55,18 +58,34 @@ void EmcSession::greeted(std::string_view line, Instant now) noexcept {
 }
 
 void EmcSession::say(std::string_view line, Instant now) noexcept {
+  waiting_ = true;
+  complainedAt_.reset();
+  warned_ = false;
+  asked_ = now;
+  write(line);
+}
+
+void EmcSession::write(std::string_view line) noexcept {
   std::array<char, 256> out;
   if (line.size() + 2 > out.size()) return;
   line.copy(out.data(), line.size());
   out[line.size()] = '\r';
   out[line.size() + 1] = '\n';
-  waiting_ = true;
-  asked_ = now;
   if (!channel_->write({out.data(), line.size() + 2})) close();
+}
+
+void EmcSession::add(std::string_view line) noexcept {
+  if (standing_ == ConnectionState::Ready) write(line);
 }
 
 bool EmcSession::ask(std::string_view request, Instant now) noexcept {
   if (!idle()) return false;
+  std::string_view words = request;
+  takeToken(words);  // get, set
+  const std::string_view word = takeToken(words);
+  wordSize_ = std::min(word.size(), word_.size());
+  std::transform(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(wordSize_), word_.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   say(request, now);
   return standing_ == ConnectionState::Ready;
 }
@@ -74,6 +93,17 @@ bool EmcSession::ask(std::string_view request, Instant now) noexcept {
 // Echoes are lower case as we write them; replies are upper case.
 bool EmcSession::isReply(std::string_view line) noexcept {
   return line.front() >= 'A' && line.front() <= 'Z';
+}
+
+// "SET SPINDLE_OVERRIDE ACK", "SPINDLE_OVERRIDE 0 100", "SET NAK": whether it names what was asked.
+bool EmcSession::settles(std::string_view line) noexcept {
+  if (!waiting_) return false;
+  std::string_view words = line;
+  std::string_view first = takeToken(words);
+  if (first == "SET" || first == "GET") first = takeToken(words);
+  if (first != std::string_view(word_.data(), wordSize_) && first != "NAK") return false;
+  waiting_ = false;
+  return true;
 }
 
 void EmcSession::watchSilence(Instant now) noexcept {

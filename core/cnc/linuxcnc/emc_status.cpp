@@ -46,7 +46,10 @@ bool EmcStatus::take(std::string_view line, Instant now) noexcept {
   if (word == "FEED_OVERRIDE") return percent(takeToken(line), feedOverride, now);
   if (word == "SPINDLE_OVERRIDE") {
     if (takeToken(line) != "0") return false;
-    return percent(takeToken(line), spindleOverride, now);
+    const std::string_view value = takeToken(line);
+    if (!percent(value, spindleOverride, now)) return false;
+    decimals = decimals || value.find('.') != std::string_view::npos;
+    return true;
   }
   if (word == "PROGRAM_CODES") return takeCodes(line, now);
   if (word == "MACHINE") return onOff(takeToken(line), machineOn, now);

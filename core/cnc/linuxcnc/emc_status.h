@@ -30,6 +30,7 @@ enum class EmcProgram : std::uint8_t { Idle, Running, Paused };
 struct EmcStatus {
   // linuxcncrsh
   TimedValue<int> feedOverride, spindleOverride;  // %
+  bool decimals = false;                          // the spindle's was said with some, as newer servers do
   TimedValue<EmcProgram> program;
   TimedValue<Rpm> speedWord;             // S
   TimedValue<MetresPerSecond> feedWord;  // F, by G20 or G21

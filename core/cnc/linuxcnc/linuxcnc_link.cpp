@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 6> kPins{"get pinval spindle.0.speed-in",
 template <std::size_t N>
 void goRound(EmcSession& session, const std::array<std::string_view, N>& requests, std::size_t& next, EmcStatus& status,
              Instant now, Duration wait) noexcept {
-  const auto take = [&](std::string_view line) { status.take(line, now); };
+  const auto take = [&](std::string_view line, bool) { status.take(line, now); };
   session.pump(now, take);
   do {
     if (!session.idle() || !session.ask(requests[next], now)) return;
@@ -83,7 +83,7 @@ LinkInfo LinuxCncLink::describe() const {
   info.id = "linuxcnc";
   info.label = "LinuxCNC";
   info.lowestSpeed = Ratio(settings_.lowestSpeed * 0.01);
-  info.highestSpeed = Ratio(settings_.highestSpeed * 0.01);
+  info.highestSpeed = Ratio(std::min(settings_.highestSpeed, backend_->highestSpeed()) * 0.01);
   info.lowestFeed = Ratio(settings_.lowestFeed * 0.01);
   info.highestFeed = Ratio(settings_.adaptiveFeed ? 1.0 : settings_.highestFeed * 0.01);
   info.machineWatchdog = backend_->watchdog();
@@ -141,12 +141,12 @@ void LinuxCncLink::askOne(Instant now) noexcept {
   tokens_ -= 1.0;
   next->asked = now;
   watch_.wait(kWait);
-  watch_.pump(now, [&](std::string_view line) { status_.take(line, now); });
+  watch_.pump(now, [&](std::string_view line, bool) { status_.take(line, now); });
   if (watch_.idle()) look_.take(secondsBetween(began, clock_.now()));
 }
 
 void LinuxCncLink::watchMachine(Instant now) noexcept {
-  watch_.pump(now, [&](std::string_view line) { status_.take(line, now); });
+  watch_.pump(now, [&](std::string_view line, bool) { status_.take(line, now); });
   // A hand without a connection connects in every other pause of the watch.
   yielded_ = !backend_->up() && watch_.idle() && !yielded_;
   const bool handFirst = yielded_ || (backend_->hasWord(overrides_, wanted_, now) && (!wanted_ || handsTurn_));
@@ -161,7 +161,7 @@ void LinuxCncLink::watchMachine(Instant now) noexcept {
     if (nextHal_ == 0) halRound_ = now;
     goRound(hal_, kPins, nextHal_, status_, now, kWait);
   } else {
-    hal_.pump(now, [&](std::string_view line) { status_.take(line, now); });
+    hal_.pump(now, [&](std::string_view line, bool) { status_.take(line, now); });
   }
   if (watch_.standing() != EmcSession::ConnectionState::Ready) {
     overrides_.speed.lost();

@@ -4,9 +4,11 @@
 // stay where they are when we die: no watchdog. Thread: link thread.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/cnc/delay_gauge.h"
 #include "core/cnc/linuxcnc/emc_backend.h"
@@ -27,6 +29,7 @@ class RshBackend final : public EmcBackend {
   bool up() const noexcept override { return session_.standing() == EmcSession::ConnectionState::Ready; }
   bool heard() const noexcept override { return up(); }
   bool watchdog() const noexcept override { return false; }
+  int highestSpeed() const noexcept override { return percentFirst() ? 100 : SharedOverride::kNoCap; }
   Seconds roundTrip() const noexcept override { return roundTrip_.typical(); }
   Instant acknowledged() const noexcept override { return acknowledged_; }
   void wait(Duration atMost) noexcept override { session_.wait(atMost); }
@@ -35,6 +38,7 @@ class RshBackend final : public EmcBackend {
 
  private:
   enum class Asked : std::uint8_t { Nothing, Enable, WaitMode, Speed, Feed, GiveBack, Standing };
+  enum class WordOrder : std::uint8_t { Unknown, SpindleFirst, PercentFirst };
 
   // One of the two overrides, where the machine refused it: left alone for a while, so that the other goes its way.
   struct Refusal {
@@ -42,13 +46,24 @@ class RshBackend final : public EmcBackend {
     bool holds(Instant now) const;
   };
   bool dueNow(const SharedOverride& knob, const Refusal& refusal, Instant now) const noexcept;
+  bool mayMove(const EmcOverrides& knobs) const noexcept;
   bool needed(const EmcOverrides& knobs, bool wanted) const noexcept;
   bool leavesIt(Instant now) const noexcept;
   void next(EmcOverrides& knobs, bool wanted, Instant now) noexcept;
   void reply(std::string_view line, EmcOverrides& knobs, EmcStatus& status, Instant now) noexcept;
   void ask(Asked what, std::string_view request, Instant now) noexcept;
+  struct SetOrder {
+    std::array<char, 48> text{};
+    std::size_t size = 0;
+    std::string_view words() const { return {text.data(), size}; }
+  };
+  SetOrder orderTo(Asked which, int percent) const noexcept;
   void set(Asked what, SharedOverride& knob, Instant now) noexcept;
+  void lastWords(EmcOverrides& knobs, Instant now) noexcept;
   void lose(OverrideInhibit to, Instant now) noexcept;
+  bool percentFirst() const { return order_ == WordOrder::PercentFirst; }
+  void waitModeAnswered(bool no, std::string_view line, Instant now) noexcept;
+  void setAnswered(bool no, Asked which, SharedOverride& knob, Refusal& refusal, Instant now) noexcept;
 
   EmcSession session_;
   std::string enable_;
@@ -63,6 +78,8 @@ class RshBackend final : public EmcBackend {
   std::optional<Instant> lostAt_;
   OverrideInhibit lostTo_ = OverrideInhibit::None;
   Asked asked_ = Asked::Nothing;
+  bool lastWordsSaid_ = false;  // since it answered last
+  WordOrder order_ = WordOrder::Unknown;
 };
 
 }  // namespace stillcut::cnc
