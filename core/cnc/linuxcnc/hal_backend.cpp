@@ -13,6 +13,7 @@ namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(500);
 constexpr Duration kPatience = std::chrono::milliseconds(300);
+constexpr int kReadsAtOnce = 32;                            // of 256 bytes: a peer may flood
 constexpr Duration kEvery = std::chrono::milliseconds(10);  // its lease is 60 ms
 
 // halui sends a percentage when it changes, once; another program's order at the same moment can push it out.
@@ -74,7 +75,8 @@ bool HalBackend::keepUp(Instant now) noexcept {
 
 void HalBackend::listen(Instant now) noexcept {
   std::array<char, 256> bytes;
-  while (const std::size_t n = channel_->read(bytes)) {
+  for (int i = 0; i < kReadsAtOnce; ++i) {
+    const std::size_t n = channel_->read(bytes);
     splitter_.feed({bytes.data(), n}, [&](std::string_view line) {
       const auto report = readHalReport(line);
       if (!report) return;

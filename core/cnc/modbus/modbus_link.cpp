@@ -18,7 +18,8 @@ constexpr Duration kOverdue = std::chrono::milliseconds(300);  // of a bus that 
 constexpr Duration kOpenTime = std::chrono::seconds(3);
 constexpr Duration kFreshAtLeast = std::chrono::milliseconds(300);
 constexpr int kMostFailures = 3;
-constexpr double kAtSpeed = 0.02;  // share of the target
+constexpr Duration kRefusedFor = std::chrono::milliseconds(100);  // and then it is written again
+constexpr double kAtSpeed = 0.02;                                 // share of the target
 constexpr double kHeartbeatSpan = 32768.0;
 
 constexpr std::array<MachineCommand, 3> kStanding{MachineCommand::Control, MachineCommand::FeedOverride,
@@ -144,6 +145,7 @@ void ModbusLink::takeReply(Instant now) noexcept {
     return;
   }
   if (!reply->ok) {
+    if (what == Underway::Write) orders_[which_].notBefore = now + kRefusedFor;
     // One exception is the machine's business; several in a row are a machine that cannot be believed.
     if (++failures_ < kMostFailures) return;
     bus_->close();
@@ -201,7 +203,7 @@ bool ModbusLink::writeNext(Instant now) noexcept {
   std::array<MachineCommand, 3> sequence = kStanding;
   if (!feedFirst(feed.wanted, feed.written.value_or(feed.wanted))) std::swap(sequence[1], sequence[2]);
   for (const MachineCommand o : sequence) {
-    if (!map_.at(o) || stands(o, order(o).wanted)) continue;
+    if (!map_.at(o) || stands(o, order(o).wanted) || now < order(o).notBefore) continue;
     if (isFlag(o) && !inCommand_ && !atBase()) continue;  // control is given back last
     if (write(o, now)) return true;
   }

@@ -51,6 +51,7 @@ class ModbusLink final : public CncLink {
     std::optional<double> written;  // acknowledged last
     bool sure = false;              // nothing was sent since: a write may act and its reply be lost
     Instant when{};
+    Instant notBefore{};  // refused: the others go first
   };
   enum class Underway : std::uint8_t { Nothing, Read, Write };
 

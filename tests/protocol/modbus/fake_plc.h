@@ -24,6 +24,7 @@ struct FakePlc {
   bool lies = false;     // acknowledges and does nothing
   bool running = true;
   bool silent = false;  // no reply at all
+  int refused = -1;     // a write to this register gets an exception
   int lostReply = -1;   // this register is written, and the reply is lost
   bool gone = false;    // no connection
   bool cut = false;     // the connection ends now; another may be made
@@ -65,6 +66,7 @@ class FakeBus final : public RegisterBus {
   }
   bool write(RegisterTable table, int first, int count, const RegisterWords& words) noexcept override {
     ++plc_.writes;
+    if (first == plc_.refused) return begin({false, {}});
     if (!plc_.refuses && !plc_.silent && !plc_.lies) {
       for (int i = 0; i < count; ++i) plc_.words[{table, first + i}] = words[static_cast<std::size_t>(i)];
       if (first == 102) plc_.lastBeat = clock_.now();
