@@ -153,6 +153,8 @@ int tryLink(const DeviceOptions& o) {
   if (before.value > 0.0) std::printf("     a look took %.2f ms when this was saved\n", 1e3 * before.value);
   if (effect.value > 0.0) std::printf("     an order took %.1f ms to act in the last run\n", 1e3 * effect.value);
   if (!o.save) return kExitDone;
+  if (const auto port = profile->link.settings.find("device"); port != profile->link.settings.end())
+    port->second = lastingName(port->second);
   cnc::saveDelay(profile->link.settings, cnc::kSavedDelay, trial.look());
   if (measured.value > 0.0) cnc::saveDelay(profile->link.settings, cnc::kSavedEffect, measured);
   if (const Status written = config::saveProfile(*profile, catalog, o.profile); !written) return fail(written.error());

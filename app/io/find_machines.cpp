@@ -130,6 +130,19 @@ std::string lineOf(const fs::path& file) {
 
 }  // namespace
 
+std::string lastingName(const std::string& device, const std::string& devices) {
+  std::error_code none;
+  const fs::path port = fs::canonical(device, none);
+  std::string lasting;
+  for (const auto& entry : fs::directory_iterator(fs::path(devices) / "serial/by-id", none)) {
+    std::error_code dangling;
+    if (port.empty() || fs::canonical(entry.path(), dangling) != port) continue;
+    // Of several the first, so that it is the same each time.
+    if (lasting.empty() || entry.path().string() < lasting) lasting = entry.path().string();
+  }
+  return lasting.empty() ? device : lasting;
+}
+
 std::vector<SerialPort> serialPorts(const std::string& devices, const std::string& classes) {
   std::error_code none;
   std::vector<SerialPort> ports;
@@ -146,7 +159,7 @@ std::vector<SerialPort> serialPorts(const std::string& devices, const std::strin
       if (!maker.empty() && !product.empty()) label += ' ';
       label += product;
     }
-    ports.push_back({entry.path().string(), label});
+    ports.push_back({lastingName(entry.path().string(), devices), label});
   }
   std::sort(ports.begin(), ports.end(), [](const SerialPort& a, const SerialPort& b) { return a.device < b.device; });
   return ports;

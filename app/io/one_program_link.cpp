@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -20,9 +21,13 @@ std::string nameOf(const WireAddress& address) {
   return address.device.empty() ? host + ":" + std::to_string(address.port) : address.device;
 }
 
+// A port has several names, and one lock.
 std::string fileOf(const std::string& wire) {
+  std::error_code absent;
+  const std::string port = wire.starts_with('/') ? std::filesystem::canonical(wire, absent).string() : wire;
   std::string file = "stillcut-";
-  for (const char c : wire) file += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ? c : '-';
+  for (const char c : port.empty() ? wire : port)
+    file += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ? c : '-';
   return file + ".lock";
 }
 

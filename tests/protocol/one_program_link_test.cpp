@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 
@@ -50,6 +52,22 @@ TEST(OneProgramLink, TheSecondIsToldAndSaysNothingToTheMachine) {
   EXPECT_TRUE(other->open().ok()) << "another machine";
   first->close();
   EXPECT_TRUE(second->open().ok()) << "let go of";
+}
+
+// "ttyUSB0" and its name that lasts are one port.
+TEST(OneProgramLink, APortWithTwoNamesIsOneMachine) {
+  Bench b;
+  const std::string port = b.folder / "ttyUSB0", lasting = b.folder / "usb-Maker_Mill-if00";
+  std::ofstream(port) << "";
+  std::filesystem::create_symlink(port, lasting);
+  const auto first = b.make({{"device", port}});
+  ASSERT_TRUE(first->open().ok());
+  const auto second = b.make({{"device", lasting}});
+  const Status refused = second->open();
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().line(), HasSubstr("holds this machine"));
+  first->close();
+  EXPECT_TRUE(second->open().ok());
 }
 
 TEST(OneProgramLink, WhereNoLockCanBeMadeTheMachineIsHeldWithoutOne) {

@@ -167,6 +167,19 @@ TEST(SerialSource, PortsAreListedWithTheirMakers) {
   EXPECT_EQ(ports[0].label, "Raspberry Pi Pico");
   EXPECT_EQ(ports[1].device, (root / "dev/ttyUSB1").string());
   EXPECT_EQ(ports[1].label, "");
+  // A name that lasts goes before the number of the day, whichever of the two was typed.
+  fs::create_directories(root / "dev/serial/by-id");
+  const fs::path lasting = root / "dev/serial/by-id/usb-Raspberry_Pi_Pico-if00";
+  fs::create_symlink("../../ttyACM0", lasting);
+  fs::create_symlink("../../ttyACM7", root / "dev/serial/by-id/usb-gone");
+  const auto named = app::serialPorts((root / "dev").string(), (root / "class").string());
+  ASSERT_EQ(named.size(), 2U);
+  EXPECT_EQ(named[0].device, lasting.string());
+  EXPECT_EQ(named[0].label, "Raspberry Pi Pico");
+  EXPECT_EQ(named[1].device, (root / "dev/ttyUSB1").string());
+  EXPECT_EQ(app::lastingName((root / "dev/ttyACM0").string(), (root / "dev").string()), lasting.string());
+  EXPECT_EQ(app::lastingName(lasting.string(), (root / "dev").string()), lasting.string());
+  EXPECT_EQ(app::lastingName("/dev/no-such-port", (root / "dev").string()), "/dev/no-such-port");
   fs::remove_all(root);
 }
 
