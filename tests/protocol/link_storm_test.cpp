@@ -170,7 +170,9 @@ class WiredWorld : public World {
 
 class LinuxCncWorld : public WiredWorld {
  public:
-  LinuxCncWorld(unsigned seed, bool component) : WiredWorld(seed), component_(component) {
+  LinuxCncWorld(unsigned seed, bool component, Dialect dialect = Dialect::Old)
+      : WiredWorld(seed), component_(component) {
+    mill_.dialect = dialect;
     onePlace_ = true;  // TCP: what one server says on one connection comes in order
     LinuxCncLink::Wires wires;
     wires.control = component ? wire(hal_) : wire(control_);
@@ -354,6 +356,10 @@ TEST_P(LinkStorm, HeapsUpNoMemory) {
 INSTANTIATE_TEST_SUITE_P(
     Links, LinkStorm,
     ::testing::Values(Kind{"LinuxCncRsh", [](unsigned seed) { return std::make_unique<LinuxCncWorld>(seed, false); }},
+                      Kind{"LinuxCncTen",
+                           [](unsigned seed) { return std::make_unique<LinuxCncWorld>(seed, false, Dialect::Ten); }},
+                      Kind{"LinuxCncMaster",
+                           [](unsigned seed) { return std::make_unique<LinuxCncWorld>(seed, false, Dialect::Master); }},
                       Kind{"LinuxCncHal", [](unsigned seed) { return std::make_unique<LinuxCncWorld>(seed, true); }},
                       Kind{"Grbl", [](unsigned seed) { return std::make_unique<GrblWorld>(seed); }},
                       Kind{"Modbus", [](unsigned seed) { return std::make_unique<ModbusWorld>(seed); }}),
