@@ -25,7 +25,7 @@ class FakeDrive final : public Peer {
   std::vector<Instant> asked, answered;
   std::vector<int> writes;  // of register 100
 
-  static std::string closed(std::string frame) {
+  static std::string closed(const std::string& frame) {
     unsigned sum = 0xFFFF;
     for (const char c : frame) {
       sum ^= static_cast<unsigned char>(c);
@@ -60,7 +60,7 @@ class FakeDrive final : public Peer {
     return static_cast<unsigned char>(s[at]) * 256 + static_cast<unsigned char>(s[at + 1]);
   }
   std::string act(const std::string& q) {
-    const int function = q[1];
+    const int function = static_cast<unsigned char>(q[1]);
     if (refuses) return {q[0], static_cast<char>(function | 0x80), 2};
     if (function == 6) {
       holding[number(q, 2)] = number(q, 4);

@@ -102,7 +102,8 @@ TEST_F(ModbusScripted, LateAndByteByByteIsReadAndObeyed) {
 TEST_F(ModbusScripted, WhateverItSaysIsRightOrNotBelieved) {
   expectRightNumbersOrNoneAndComesBack("merge", [](ModbusScript& s) { s.merge(); });
   expectRightNumbersOrNoneAndComesBack("wrong order", [](ModbusScript& s) { s.wrongOrder(); });
-  expectRightNumbersOrNoneAndComesBack("garbage", [](ModbusScript& s) { s.garbage("\x01\xff\x00\x07HTTP/1.1"); });
+  expectRightNumbersOrNoneAndComesBack("garbage",
+                                       [](ModbusScript& s) { s.garbage(std::string("\x01\xff\x00\x07HTTP/1.1", 12)); });
   expectRightNumbersOrNoneAndComesBack("close", [](ModbusScript& s) { s.close(); });
   expectRightNumbersOrNoneAndComesBack("delay", [](ModbusScript& s) { s.delay(150); });
 }

@@ -119,7 +119,7 @@ class ScriptedModbus {
 
   // Function, then data.
   std::string act(std::string_view request) {
-    const int function = request[kHead];
+    const int function = static_cast<unsigned char>(request[kHead]);
     const auto first = static_cast<std::size_t>(number(request, kHead + 1)) % words_.size();
     if (function == 3) {
       const int count = number(request, kHead + 3);
