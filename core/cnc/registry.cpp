@@ -10,6 +10,7 @@
 #include "core/cnc/linuxcnc/linuxcnc_link.h"
 #include "core/cnc/modbus/modbus_link.h"
 #include "core/cnc/modbus/register_map.h"
+#include "core/cnc/sender/sender_wire.h"
 #include "core/cnc/simulated_machine.h"
 #include "core/cnc/wire_number.h"
 #include "core/config/component_settings.h"
@@ -67,7 +68,15 @@ Result<std::unique_ptr<CncLink>> makeGrbl(const LinkRequest& r) {
   const std::string where = "link 'grbl'";
   config::ComponentSettings settings(r.settings, where, r.asked);
   GrblSettings s;
-  if (settings.has("host")) {
+  SenderSettings sender;
+  s.sender = settings.flag("sender", false);
+  if (s.sender) {
+    sender.host = settings.text("host", sender.host);
+    sender.port = settings.text("sender_port", "");
+    sender.name = settings.text("sender_name", "");
+    sender.password = settings.text("sender_password", "");
+    s.wire = {.host = sender.host, .port = settings.whole("port", 8000, 1, 65535), .device = {}};
+  } else if (settings.has("host")) {
     s.wire = {.host = settings.text("host", ""), .port = settings.whole("port", 23, 1, 65535), .device = {}};
   } else {
     s.wire.device = settings.text("device", s.wire.device);
@@ -79,6 +88,9 @@ Result<std::unique_ptr<CncLink>> makeGrbl(const LinkRequest& r) {
   if (Status real = realMachine(r, where); !real) return real.error();
   auto wire = r.wires(s.wire);
   if (!wire) return wire.error();
+  if (s.sender) {
+    wire = std::unique_ptr<ByteChannel>(std::make_unique<SenderWire>(sender, std::move(wire).value(), *r.clock));
+  }
   return std::unique_ptr<CncLink>(std::make_unique<GrblLink>(s, std::move(wire).value(), *r.clock));
 }
 

@@ -59,8 +59,9 @@ Status GrblLink::open() {
     const bool opened = wire_->state() == WireState::Open;
     const Error why{std::string(wire_->address()),
                     opened ? message("no GRBL status report") : message("cannot be opened"),
-                    opened ? message("is this the controller's port, and the baud rate right?")
-                           : message("is it there, and free?")};
+                    opened             ? message("is this the controller's port, and the baud rate right?")
+                    : settings_.sender ? message("is the sender running there, and connected to its machine?")
+                                       : message("is it there, and free?")};
     drop(now);
     return why;
   }

@@ -30,6 +30,7 @@ namespace stillcut::cnc {
 struct GrblSettings {
   WireAddress wire{.host = {}, .port = 0, .device = "/dev/ttyUSB0"};
   bool inches = false;   // reports in inches ($13=1)
+  bool sender = false;   // the wire leads through another program, which has the port
   bool askWords = true;  // "$G" for the F and S words; false where another program counts the "ok"s
 };
 
