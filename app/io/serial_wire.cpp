@@ -25,7 +25,9 @@ QSerialPort::Parity parityOf(char letter) {
 SerialWire::SerialWire(std::string device, int baud, char parity, int stopBits)
     : device_(std::move(device)), baud_(baud), parity_(parity), stopBits_(stopBits) {}
 
-SerialWire::~SerialWire() = default;
+SerialWire::~SerialWire() {
+  SerialWire::close();  // handed over and never taken, it belongs to no thread
+}
 
 void SerialWire::connect() noexcept {
   close();

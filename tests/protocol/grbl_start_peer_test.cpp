@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
@@ -62,6 +63,16 @@ TEST_P(GrblBoard, IsOpenedOnceAndRead) {
   reader.join();
   EXPECT_TRUE(valid);
   EXPECT_EQ(startsLogged(), 1);
+}
+// A run that ends before its link thread begins, on a thread that never saw the port.
+TEST_P(GrblBoard, OpenedAndNeverReadItIsLetGo) {
+  ASSERT_TRUE(link_->open().ok());
+  std::thread([&] { link_.reset(); }).join();
+  EXPECT_TRUE(testing::within(Seconds(5.0), [&] {
+    std::ifstream log(port_ + ".log");
+    const std::string text(std::istreambuf_iterator<char>(log), {});
+    return text.find("closed") != std::string::npos;
+  }));
 }
 INSTANTIATE_TEST_SUITE_P(DeafFor, GrblBoard, ::testing::Values("0.4", "1.6", "3.0"));
 

@@ -15,6 +15,7 @@ constexpr Duration kRetry = std::chrono::milliseconds(500);
 constexpr Duration kConnectTime = std::chrono::seconds(1);
 constexpr Duration kPatience = std::chrono::milliseconds(150);  // grblHAL answers after 30 ms; a '?' may go unanswered
 constexpr Seconds kPeriod{0.2};                                 // one that went unanswered, and the answer to the next
+constexpr Seconds kSenderPeriod{0.4};                           // a sender asks every 250 ms
 constexpr int kMostMissed = 4;
 constexpr int kReadsAtOnce = 16;  // of 512 bytes: a peer may flood
 constexpr Duration kWordsEvery = std::chrono::milliseconds(500);
@@ -44,7 +45,7 @@ LinkInfo GrblLink::describe() const {
   info.label = "GRBL";
   info.lowestSpeed = info.lowestFeed = Ratio(kGrblLowest * 0.01);
   info.highestSpeed = info.highestFeed = Ratio(kGrblHighest * 0.01);
-  info.period = kPeriod;
+  info.period = settings_.sender ? kSenderPeriod : kPeriod;
   return info;
 }
 
