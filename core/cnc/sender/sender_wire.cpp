@@ -61,7 +61,7 @@ SenderWire::SenderWire(SenderSettings settings, std::unique_ptr<ByteChannel> wir
 
 void SenderWire::connect() noexcept {
   close();
-  request(Phase::SigningIn);
+  guarded([this] { request(Phase::SigningIn); });
 }
 
 void SenderWire::request(Phase phase) {
@@ -88,7 +88,7 @@ WireState SenderWire::state() noexcept {
   return phase_ == Phase::Joined ? WireState::Open : WireState::Opening;
 }
 
-void SenderWire::step() noexcept {
+void SenderWire::advance() {
   if (phase_ == Phase::Closed) return;
   const WireState under = wire_->state();
   if (under == WireState::Open && !requested_) {
@@ -244,6 +244,11 @@ void SenderWire::query(Instant now) {
 bool SenderWire::write(std::string_view bytes) noexcept {
   step();
   if (phase_ != Phase::Joined) return false;
+  guarded([&] { pass(bytes); });
+  return phase_ == Phase::Joined;
+}
+
+void SenderWire::pass(std::string_view bytes) {
   static constexpr std::array<int, 5> kSteps{0, 10, -10, 1, -1};
   if (bytes.find("$G") != std::string_view::npos && !words_.empty()) lines_ += words_;
   for (const char c : bytes) {
@@ -253,7 +258,6 @@ bool SenderWire::write(std::string_view bytes) noexcept {
     if (byte >= 0x99 && byte <= 0x9D) command("spindleOverride", kSteps[byte - 0x99U]);
   }
   query(clock_.now());
-  return phase_ == Phase::Joined;
 }
 
 std::size_t SenderWire::read(std::span<char> into) noexcept {

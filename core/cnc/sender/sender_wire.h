@@ -41,7 +41,20 @@ class SenderWire final : public ByteChannel {
  private:
   enum class Phase : std::uint8_t { Closed, SigningIn, FindingPort, Upgrading, Joining, Joined };
 
-  void step() noexcept;
+  // Does `work`; what it throws (memory that is not there) closes the wire.
+  template <class Work>
+  void guarded(Work&& work) noexcept {
+    try {
+      work();
+    } catch (...) {
+      close();
+    }
+  }
+  void step() noexcept {
+    guarded([this] { advance(); });
+  }
+  void advance();
+  void pass(std::string_view bytes);
   void listen();
   void request(Phase phase);
   void takeResponse();
