@@ -2120,10 +2120,6 @@
         <translation>ein Zeitschritt über null wurde erwartet</translation>
     </message>
     <message>
-        <source>a truncated file</source>
-        <translation>eine abgeschnittene Datei</translation>
-    </message>
-    <message>
         <source>a truncated file, or its header is wrong</source>
         <translation>eine abgeschnittene Datei, oder ihr Kopf ist falsch</translation>
     </message>
@@ -3696,10 +3692,6 @@
         <translation>der Kopf ist nicht „t,rpm“</translation>
     </message>
     <message>
-        <source>the header promises %1 bytes of samples, the file holds %2</source>
-        <translation>der Kopf verspricht %1 Bytes Messwerte, die Datei enthält %2</translation>
-    </message>
-    <message>
         <source>the host cannot be found</source>
         <translation>der Rechner ist nicht zu finden</translation>
     </message>
@@ -4539,6 +4531,94 @@
         <source>the run that is going on holds this machine</source>
         <translation>der laufende Lauf hält diese Maschine</translation>
     </message>
+    <message>
+        <source>%1 was cut short by another program</source>
+        <translation>%1 wurde von einem anderen Programm gekürzt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no question to a session</source>
+        <translation>&apos;%1&apos; ist keine Frage an eine Sitzung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; reads %2, which can not be</source>
+        <translation>&apos;%1&apos; liest sich als %2, was nicht sein kann</translation>
+    </message>
+    <message>
+        <source>a Stillcut that was killed left spindle %1 %, feed %2 %; the operator had %3 %, %4 %: BACK TO 100 % brings that back</source>
+        <translation>ein abgebrochenes Stillcut hinterließ Spindel %1 %, Vorschub %2 %; der Bediener hatte %3 %, %4 %: ZURÜCK AUF 100 % stellt das wieder her</translation>
+    </message>
+    <message>
+        <source>a float has two words and a sign of its own, and is no flag</source>
+        <translation>eine Gleitkommazahl hat zwei Wörter und ein eigenes Vorzeichen und ist kein Schalter</translation>
+    </message>
+    <message>
+        <source>is its entry in the register map right?</source>
+        <translation>Stimmt sein Eintrag in der Registertabelle?</translation>
+    </message>
+    <message>
+        <source>is no session that can be looked into</source>
+        <translation>ist keine Sitzung, in die man hineinsehen kann</translation>
+    </message>
+    <message>
+        <source>is not below &apos;highest&apos;</source>
+        <translation>liegt nicht unter &apos;highest&apos;</translation>
+    </message>
+    <message>
+        <source>is the sender running there, and connected to its machine?</source>
+        <translation>Läuft dort der Sender, und ist er mit seiner Maschine verbunden?</translation>
+    </message>
+    <message>
+        <source>is there already</source>
+        <translation>ist schon da</translation>
+    </message>
+    <message>
+        <source>is true beside &apos;words = 1&apos;, &apos;signed&apos; or &apos;bit&apos;</source>
+        <translation>ist wahr neben &apos;words = 1&apos;, &apos;signed&apos; oder &apos;bit&apos;</translation>
+    </message>
+    <message>
+        <source>no value would be believed</source>
+        <translation>kein Wert würde geglaubt</translation>
+    </message>
+    <message>
+        <source>recording stopped: the file was cut short by another program</source>
+        <translation>Aufzeichnung beendet: die Datei wurde von einem anderen Programm gekürzt</translation>
+    </message>
+    <message>
+        <source>the header promises %1 bytes of samples, the file holds %2, which are read: its recorder did not end it</source>
+        <translation>der Dateikopf verspricht %1 Byte Messwerte, die Datei enthält %2, die gelesen werden: ihr Rekorder hat sie nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>this folder has no file locks, without which a recording is not safe (%1)</source>
+        <translation>dieser Ordner kennt keine Dateisperren, ohne die eine Aufzeichnung nicht sicher ist (%1)</translation>
+    </message>
+    <message>
+        <source>spindle programmed %1 rev/min, not measured</source>
+        <translation>Spindel %1 1/min programmiert, nicht gemessen</translation>
+    </message>
+    <message>
+        <source>an order was seen to act, and to be taken back, after %1 ms</source>
+        <translation>ein Befehl hat sichtbar gewirkt und wurde zurückgenommen, nach %1 ms</translation>
+    </message>
+    <message>
+        <source>no order has shown it yet: nothing was moved</source>
+        <translation>noch hat es kein Befehl gezeigt: nichts wurde bewegt</translation>
+    </message>
+    <message>
+        <source>Sender</source>
+        <translation>Sendeprogramm</translation>
+    </message>
+    <message>
+        <source>Sender port</source>
+        <translation>Port des Sendeprogramms</translation>
+    </message>
+    <message>
+        <source>Sender name</source>
+        <translation>Name am Sendeprogramm</translation>
+    </message>
+    <message>
+        <source>Sender password</source>
+        <translation>Passwort am Sendeprogramm</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>
@@ -5009,6 +5089,34 @@
     <message>
         <source>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</source>
         <translation>ein Ton von {0.0} Hz füllt das Signal von Anfang an, Rattern oder die Maschine selbst</translation>
+    </message>
+    <message>
+        <source>the move to {0.0} rpm did not help ({1.0} in a row, {2.0} end Auto)</source>
+        <translation>der Wechsel auf {0.0} U/min hat nicht geholfen ({1.0} hintereinander, {2.0} beenden Auto)</translation>
+    </message>
+    <message>
+        <source>at {0.0} rpm the cut is {1.1} times as loud as before the move ({2.0} moves in a row without help, {3.0} end Auto)</source>
+        <translation>bei {0.0} U/min ist der Schnitt {1.1}-mal so laut wie vor dem Wechsel ({2.0} Wechsel hintereinander ohne Hilfe, {3.0} beenden Auto)</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm made the cut louder and is not tried again</source>
+        <translation>{0.0} U/min hat den Schnitt lauter gemacht und wird nicht noch einmal versucht</translation>
+    </message>
+    <message>
+        <source>{0.0} moves in a row did not help, advice only from now on</source>
+        <translation>{0.0} Wechsel hintereinander haben nicht geholfen, von jetzt an nur Rat</translation>
+    </message>
+    <message>
+        <source>no chatter at {0.0} rpm, though the cut is {1.1} times as loud as before the move</source>
+        <translation>kein Rattern bei {0.0} U/min, aber der Schnitt ist {1.1}-mal so laut wie vor dem Wechsel</translation>
+    </message>
+    <message>
+        <source>the newest samples that were judged are {0.2} s old, nothing is moved by them</source>
+        <translation>die neuesten beurteilten Messwerte sind {0.2} s alt, nach ihnen wird nichts bewegt</translation>
+    </message>
+    <message>
+        <source>channel {0.0} delivers values that no sensor has</source>
+        <translation>Kanal {0.0} liefert Werte, die kein Sensor hat</translation>
     </message>
 </context>
 <context>
@@ -6373,6 +6481,30 @@
     <message>
         <source>%1, going on</source>
         <translation>%1, dauert an</translation>
+    </message>
+    <message>
+        <source>The controller starts, as many do when their port is opened: this takes up to 4 s</source>
+        <translation>Die Steuerung startet, wie viele beim Öffnen ihres Anschlusses: das dauert bis zu 4 s</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Stillcut itself stands still for %1</source>
+        <translation>Stillcut selbst steht seit %1 still</translation>
+    </message>
+    <message>
+        <source>impossible values</source>
+        <translation>unmögliche Werte</translation>
+    </message>
+    <message>
+        <source>Leases run out</source>
+        <translation>Abgelaufene Fristen</translation>
+    </message>
+    <message>
+        <source>Standstills</source>
+        <translation>Stillstände</translation>
     </message>
 </context>
 <context>

@@ -2120,10 +2120,6 @@
         <translation>时间步长应大于零</translation>
     </message>
     <message>
-        <source>a truncated file</source>
-        <translation>文件被截断</translation>
-    </message>
-    <message>
         <source>a truncated file, or its header is wrong</source>
         <translation>文件被截断，或文件头错误</translation>
     </message>
@@ -3696,10 +3692,6 @@
         <translation>表头不是 &apos;t,rpm&apos;</translation>
     </message>
     <message>
-        <source>the header promises %1 bytes of samples, the file holds %2</source>
-        <translation>文件头声明 %1 字节采样，文件含 %2 字节</translation>
-    </message>
-    <message>
         <source>the host cannot be found</source>
         <translation>找不到主机</translation>
     </message>
@@ -4539,6 +4531,94 @@
         <source>the run that is going on holds this machine</source>
         <translation>正在进行的运行占用着这台机床</translation>
     </message>
+    <message>
+        <source>%1 was cut short by another program</source>
+        <translation>%1 被其他程序截短</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no question to a session</source>
+        <translation>“%1”不是对会话的查询</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; reads %2, which can not be</source>
+        <translation>“%1”读数为 %2，这不可能</translation>
+    </message>
+    <message>
+        <source>a Stillcut that was killed left spindle %1 %, feed %2 %; the operator had %3 %, %4 %: BACK TO 100 % brings that back</source>
+        <translation>被强制结束的 Stillcut 留下主轴 %1 %、进给 %2 %；操作者原为 %3 %、%4 %：按“恢复 100 %”可还原</translation>
+    </message>
+    <message>
+        <source>a float has two words and a sign of its own, and is no flag</source>
+        <translation>浮点数占两个字、自带符号，不是标志位</translation>
+    </message>
+    <message>
+        <source>is its entry in the register map right?</source>
+        <translation>寄存器表中的条目是否正确？</translation>
+    </message>
+    <message>
+        <source>is no session that can be looked into</source>
+        <translation>不是可以查看内容的会话</translation>
+    </message>
+    <message>
+        <source>is not below &apos;highest&apos;</source>
+        <translation>不低于 &apos;highest&apos;</translation>
+    </message>
+    <message>
+        <source>is the sender running there, and connected to its machine?</source>
+        <translation>发送程序是否在那里运行并已连接到机器？</translation>
+    </message>
+    <message>
+        <source>is there already</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>is true beside &apos;words = 1&apos;, &apos;signed&apos; or &apos;bit&apos;</source>
+        <translation>与 &apos;words = 1&apos;、&apos;signed&apos; 或 &apos;bit&apos; 同时为真</translation>
+    </message>
+    <message>
+        <source>no value would be believed</source>
+        <translation>任何值都不会被采信</translation>
+    </message>
+    <message>
+        <source>recording stopped: the file was cut short by another program</source>
+        <translation>记录已停止：文件被其他程序截短</translation>
+    </message>
+    <message>
+        <source>the header promises %1 bytes of samples, the file holds %2, which are read: its recorder did not end it</source>
+        <translation>文件头声明有 %1 字节样本，文件实际含 %2 字节，已读取：录制程序没有正常结束该文件</translation>
+    </message>
+    <message>
+        <source>this folder has no file locks, without which a recording is not safe (%1)</source>
+        <translation>此文件夹不支持文件锁，没有文件锁记录就不安全（%1）</translation>
+    </message>
+    <message>
+        <source>spindle programmed %1 rev/min, not measured</source>
+        <translation>主轴编程转速 %1 rev/min，未测量</translation>
+    </message>
+    <message>
+        <source>an order was seen to act, and to be taken back, after %1 ms</source>
+        <translation>已观察到指令生效并被撤回，用时 %1 ms</translation>
+    </message>
+    <message>
+        <source>no order has shown it yet: nothing was moved</source>
+        <translation>尚无指令证实：未移动任何倍率</translation>
+    </message>
+    <message>
+        <source>Sender</source>
+        <translation>发送程序</translation>
+    </message>
+    <message>
+        <source>Sender port</source>
+        <translation>发送程序端口</translation>
+    </message>
+    <message>
+        <source>Sender name</source>
+        <translation>发送程序用户名</translation>
+    </message>
+    <message>
+        <source>Sender password</source>
+        <translation>发送程序密码</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>
@@ -5009,6 +5089,34 @@
     <message>
         <source>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</source>
         <translation>信号从一开始就被 {0.0} Hz 的单一音调占满，是颤振或机床本身的声音</translation>
+    </message>
+    <message>
+        <source>the move to {0.0} rpm did not help ({1.0} in a row, {2.0} end Auto)</source>
+        <translation>改到 {0.0} rpm 没有效果（连续 {1.0} 次，{2.0} 次后结束自动）</translation>
+    </message>
+    <message>
+        <source>at {0.0} rpm the cut is {1.1} times as loud as before the move ({2.0} moves in a row without help, {3.0} end Auto)</source>
+        <translation>在 {0.0} rpm 时切削振动是调整前的 {1.1} 倍（连续 {2.0} 次无效，{3.0} 次后结束自动）</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm made the cut louder and is not tried again</source>
+        <translation>{0.0} rpm 使切削更响，不再尝试</translation>
+    </message>
+    <message>
+        <source>{0.0} moves in a row did not help, advice only from now on</source>
+        <translation>连续 {0.0} 次调整没有效果，从现在起只提建议</translation>
+    </message>
+    <message>
+        <source>no chatter at {0.0} rpm, though the cut is {1.1} times as loud as before the move</source>
+        <translation>在 {0.0} rpm 没有颤振，但切削振动是调整前的 {1.1} 倍</translation>
+    </message>
+    <message>
+        <source>the newest samples that were judged are {0.2} s old, nothing is moved by them</source>
+        <translation>最新判断的采样已有 {0.2} s，不据此调整</translation>
+    </message>
+    <message>
+        <source>channel {0.0} delivers values that no sensor has</source>
+        <translation>通道 {0.0} 传来任何传感器都不可能有的数值</translation>
     </message>
 </context>
 <context>
@@ -6373,6 +6481,30 @@
     <message>
         <source>%1, going on</source>
         <translation>%1，持续中</translation>
+    </message>
+    <message>
+        <source>The controller starts, as many do when their port is opened: this takes up to 4 s</source>
+        <translation>控制器正在启动（许多控制器在打开端口时会重启）：最多需要 4 秒</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>Stillcut itself stands still for %1</source>
+        <translation>Stillcut 自身已停顿 %1</translation>
+    </message>
+    <message>
+        <source>impossible values</source>
+        <translation>不可能的数值</translation>
+    </message>
+    <message>
+        <source>Leases run out</source>
+        <translation>授权超时</translation>
+    </message>
+    <message>
+        <source>Standstills</source>
+        <translation>停顿</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,8 @@
 // - `onset` is not a fixed ratio: on the reference cuts the second axis shows an energy ratio of 1.6 % when chatter has
 //   reached 20 % of the vibration. Growth of the turn difference above its learned floor is tested (onset_test.h,
 //   turn_difference.h).
+// - Full chatter is also told by the part of the line power that stands off the spindle's orders, whatever was learned
+//   (share_test.h, core/detect/MODEL.md).
 // - Chatter that is there from the entry, until the cut has once been calm, is onset from a fifth of the chatter ratio
 //   on, 0.04 or a fifth of the amplitude, where its line has side lines whole tooth passings away, as the
 //   tooth-periodic cut gives to what vibrates in it (entry_chatter.h). A line of other origin that shakes the tool so
