@@ -7,6 +7,8 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kFloorSeconds = 0.2;   // level over which the floor is taken: tonal hum beats inside it
+constexpr double kBegins = 0.3;         // s; of a recording, in which ...
+constexpr double kFromSilence = 1e6;    // ... 60 dB over the floor is the first sound after silence, and no cut
 constexpr double kCloseRelative = 0.6;  // the gate closes at this part of its opening level
 constexpr double kEntryTurns = 8.0;     // shortest entry
 constexpr double kSlowTurns = 6.0;      // memory against which entry and exit are seen
@@ -51,13 +53,14 @@ void CutGate::learnFloor(std::span<const double> meanSquares, double seconds) no
   // A growing memory at first, so that the floor is a mean and not one lucky block.
   const double memory = std::clamp(elapsed_, 2.0 * seconds, kFloorSeconds);
   for (std::size_t c = 0; c < channels_; ++c) {
-    // What begins with silence, as compressed sound does, has shown no air yet.
-    const bool young = elapsed_ < kFloorSeconds;
+    const bool young = elapsed_ < 0.25 * kFloorSeconds;
     // The first block may be longer than that, and digital silence is no level to compare with.
-    if (floor_[c] <= 0.0) {
+    if (!young && floor_[c] <= 0.0) {
       calm_[c] = floor_[c] = meanSquares[c];
       continue;
     }
+    // What begins with silence, as compressed sound does, has shown no air yet.
+    if (elapsed_ < kBegins && meanSquares[c] > kFromSilence * floor_[c]) calm_[c] = floor_[c] = meanSquares[c];
     follow(calm_[c], meanSquares[c], seconds, memory);
     floor_[c] = young ? calm_[c] : std::min(floor_[c], calm_[c]);
   }

@@ -64,7 +64,9 @@ bool judge(const RealCut& cut, const std::vector<int>& channels, double error, c
 }
 
 int table(const std::vector<std::string>& wanted, bool each, const std::string& only, double looksAt) {
-  const std::vector<RealCut> cuts = realCuts(std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings");
+  const std::filesystem::path recordings = std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings";
+  std::vector<RealCut> cuts = realCuts(recordings);
+  for (const RealCut& later : laterCuts(recordings)) cuts.push_back(later);
   if (cuts.empty()) {
     std::printf("no recordings at %s\n", STILLCUT_SHARED_DIR);
     return 0;

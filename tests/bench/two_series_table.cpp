@@ -141,7 +141,10 @@ void judge(const RealCut& cut, const Signal& signal, double error, bool each) {
 int main(int argc, char** argv) {
   using namespace stillcut::bench;
   const std::string only = argc > 1 ? argv[1] : "";
-  for (const RealCut& cut : realCuts(std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings")) {
+  const std::filesystem::path recordings = std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings";
+  std::vector<RealCut> cuts = realCuts(recordings);
+  for (const RealCut& later : laterCuts(recordings)) cuts.push_back(later);
+  for (const RealCut& cut : cuts) {
     if (cut.file.string().find(only) == std::string::npos) continue;
     const Signal signal = load(cut);
     if (signal.channels.empty()) continue;

@@ -53,5 +53,7 @@ double chatterLength(const RealCut& cut);
 
 // recordings: the folder that holds hurco_end_mill and so on.
 std::vector<RealCut> realCuts(const std::filesystem::path& recordings);
+// Those that came later, on which the default detector still falls short of the rest in places.
+std::vector<RealCut> laterCuts(const std::filesystem::path& recordings);
 
 }  // namespace stillcut::bench

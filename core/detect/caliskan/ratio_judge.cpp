@@ -163,13 +163,14 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
   bool over = false;
   if (was) {
     const bool ended = line_.lost() || calm_.calm(hop.spindle) || !(high || held || grown_ || calm_.floorGone());
-    byShare_ = byShare_ ? !(grown_ && high) : ended && share_.full() && wasFull_;
+    byShare_ = byShare_ && !(grown_ && high);
     over = left || (byShare_ ? !share_.lasts() : ended);
     // A ratio that rises while the speed changes may be forced vibration that changes with it.
     const bool full =
         (byShare_ && share_.full()) || ((high || lasts) && (hop.revolutionsComparable || state_ == CutState::Chatter));
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) {
+      share_.reset();  // the newest looks still hold what is over
       calm_.reset();
       entry_.endAlarm();
     }
