@@ -39,7 +39,6 @@ constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is 
 constexpr double kBetter = 2.0;         // ... if that comb carries so much more
 constexpr double kStaysPart = 0.2;      // of what chatter leaves beside its line: the spindle's comb has it
 constexpr double kDisbelief = 3e-3;     // further from what the line series say, a comb is not the spindle's
-constexpr int kFirstBelieve = 8;        // ... where nothing is followed yet: a comb of its own is sooner and finer
 constexpr int kBelieve = 2;             // looks on end that say the same
 constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
 constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
@@ -175,7 +174,7 @@ void SpeedTracker::believe(Hertz spindle, double sd, bool certain) noexcept {
   const bool same = believedLooks_ > 0 && std::abs(spindle / believed_ - 1.0) < kDisbelief;
   believedLooks_ = same ? believedLooks_ + 1 : 1;
   believed_ = spindle;
-  if (believedLooks_ < (locked_ ? kBelieve : kFirstBelieve) || (locked_ && !believedElsewhere(this->spindle()))) return;
+  if (believedLooks_ < kBelieve || (locked_ && !believedElsewhere(this->spindle()))) return;
   lock(spindle, Hertz(std::max(sd, 3e-4) * spindle.value));
   if (std::abs(spindle.value / told_ - 1.0) < kMargin * range_) far_ = 0.0;
   toothPart_ = 0.0;
