@@ -49,7 +49,7 @@ TEST_P(OneAxis, IsEnough) {
     if (!cut.channels.empty()) continue;  // there is only one
     const std::string file = cut.file.filename().string();
     for (const int axis : {0, 1, 2}) {
-      const bool along = file.starts_with("EBI") && axis == 2;
+      const bool along = file.starts_with("EBI") && axis == kAlongTheTool;
       if (along && file.ends_with("7000RPMto6000RPM.csv")) continue;
       if (cut.quantity == SensorQuantity::Sound && axis > 0) break;
       const auto judged = judgeRealCut(cut, {axis}, 0.005 * GetParam(), {"energy-ratio"});
