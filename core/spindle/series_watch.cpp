@@ -130,9 +130,9 @@ void SeriesWatch::look(Hertz told, double sd) noexcept {
   ++look_.count;
   gather(told);
   if (!(told.value > 0.0)) {
-    look_.spindle = look_.other = Hertz(0.0);
-    look_.certain = false;
-    look_.free = {};
+    const unsigned count = look_.count;
+    look_ = {};
+    look_.count = count;
     return;
   }
   // A speed that is told anew keeps the ratio of true to told speed only where it is near.
@@ -142,7 +142,7 @@ void SeriesWatch::look(Hertz told, double sd) noexcept {
   judge(told);
 }
 
-// Over the likely speeds: what stands off the orders of all of them is off the orders.
+// The mean over the likely speeds.
 double SeriesWatch::expectedShare(std::size_t channel, Hertz told) const noexcept {
   double all = 0.0;
   double share = 0.0;
@@ -160,7 +160,6 @@ void SeriesWatch::judge(Hertz told) noexcept {
   look_.sd = belief_.sd();
   look_.certain = belief_.certain() && !belief_.atEdge();
   look_.certainty = belief_.atEdge() ? 0.0 : belief_.certainty();
-  look_.other = told * belief_.other();
   look_.teethHeard = false;
   look_.lines = series_.lines();
   look_.explained = series_.explained(look_.spindle);

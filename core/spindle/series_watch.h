@@ -26,7 +26,6 @@ struct SeriesLook {
   double sd = 0.0;          // relative
   double certainty = 0.0;   // probability that it is this one
   bool certain = false;     // no other speed is likely
-  Hertz other{};            // the most likely other one
   bool teethHeard = false;  // a line stands at a multiple of the tooth passing: the tool cuts
   double explained = 0.0;   // of the lines' weight, by the two series at the most likely speed
   int lines = 0;            // that are not the machine's, of all channels
@@ -36,7 +35,7 @@ struct SeriesLook {
   bool agreed = true;       // a speed that was found far from the told one is this one
   int channel = 0;          // the one furthest off the orders,
   double joint = 0.0;       // the share in all channels of its quantity together, by their powers
-  FreeFamily free;          // ... and what is there; its share is the mean over the likely speeds
+  FreeFamily free;          // ... and what is there; its share is the least that the likely speeds leave
 };
 
 class SeriesWatch {
@@ -57,7 +56,6 @@ class SeriesWatch {
   void look(Hertz told, double sd) noexcept;
 
   const SeriesLook& newest() const noexcept { return look_; }
-  Hertz binWidth() const noexcept { return Hertz(spectrum_.binWidth()); }
 
  private:
   void learnAir(std::size_t channel) noexcept;

@@ -41,7 +41,7 @@ void SpeedBelief::begin(double sd) noexcept {
   priorSd_ = std::max(sd, kCell);
   heard_ = false;
   surprised_ = 0;
-  ratio_ = other_ = 1.0;
+  ratio_ = 1.0;
   sd_ = priorSd_;
   certainty_ = 0.0;
   for (std::size_t i = 0; i < log_.size(); ++i) log_[i] = prior(ratioAt(i));
@@ -121,20 +121,14 @@ void SpeedBelief::judge() noexcept {
   double near = 0.0;
   double mean = 0.0;
   double square = 0.0;
-  double next = -1e300;
-  other_ = best;
   for (std::size_t i = 0; i < log_.size(); ++i) {
     const double p = std::exp(log_[i]);
     const double off = ratioAt(i) / best - 1.0;
     all += p;
-    if (std::abs(off) < kSame) {
-      near += p;
-      mean += p * off;
-      square += p * off * off;
-    } else if (log_[i] > next) {
-      next = log_[i];
-      other_ = ratioAt(i);
-    }
+    if (std::abs(off) >= kSame) continue;
+    near += p;
+    mean += p * off;
+    square += p * off * off;
   }
   mean /= near;
   ratio_ = best * (1.0 + mean);

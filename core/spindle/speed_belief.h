@@ -1,5 +1,5 @@
-// SpeedBelief: the probability of every spindle speed near the told one, as looks at the cut and at the air before it
-// come in: a grid filter over the ratio of true to told speed.
+// SpeedBelief: the probability of every spindle speed near the told one, as looks at the cut come in: a grid filter
+// over the ratio of true to told speed.
 //
 //   log p_t(r) = max over d of [log p_{t-1}(r + d) - d^2 / (2 wander^2)] (1 - forget) + forget log p_0(r) + a
 //   score_t(r)
@@ -7,9 +7,9 @@
 // Looks on end that fit another speed better by far say that the spindle turns otherwise now: what was heard before is
 // forgotten.
 //
-// p_0: a Gaussian of the doubt of what was told. a: looks overlap and repeat each other's chance, so that a second of
-// them counts as one (two_series.h gives the score). A speed that is told anew keeps the ratio.
-// Thread: worker; everything but prepare() is real-time.
+// p_0: half a Gaussian of a controlled spindle's doubt, half one of the doubt of what was told. a: looks overlap and
+// repeat each other's chance, so that a second of them counts as one (two_series.h gives the score). A speed that is
+// told anew keeps the ratio. Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <vector>
@@ -31,9 +31,8 @@ class SpeedBelief {
   // first look.
   double ratio() const noexcept { return ratio_; }
   double sd() const noexcept { return sd_; }
-  // Probability that the speed is the most likely one, to 0.15 %; another is `other()` of the told speed.
+  // Probability that the speed is the most likely one, to 0.15 %.
   double certainty() const noexcept { return certainty_; }
-  double other() const noexcept { return other_; }
   // The ratio that the newest look alone says, where it fits that better by far: where the spindle has just changed its
   // speed, all before is of another.
   double ofNewest() const noexcept { return newest_; }
@@ -57,7 +56,7 @@ class SpeedBelief {
   double range_ = 0.03;
   double priorSd_ = 0.01;
   bool heard_ = false;
-  double ratio_ = 1.0, sd_ = 0.01, certainty_ = 0.0, other_ = 1.0;
+  double ratio_ = 1.0, sd_ = 0.01, certainty_ = 0.0;
   double newest_ = 1.0;
   bool atEdge_ = false;
   int surprised_ = 0;                        // looks on end

@@ -2,40 +2,14 @@
 // once and waited for.
 #include <gtest/gtest.h>
 
-#include <memory>
-
-#include "core/cnc/grbl/grbl_link.h"
-#include "tests/protocol/commands.h"
-#include "tests/support/fake_grbl.h"
+#include "tests/protocol/grbl_bench.h"
 
 namespace stillcut::cnc {
 namespace {
 
 using namespace testing;
 
-struct Bench {
-  explicit Bench(double boot, const GrblSettings& settings = {}) {
-    grbl.boot = boot;
-    auto made = std::make_unique<ScriptedWire>(clock, faults, grbl);
-    wire = made.get();
-    link = std::make_unique<GrblLink>(settings, std::move(made), clock);
-  }
-  MachineState run(double seconds) {
-    const Instant until = clock.now() + toDuration(Seconds(seconds));
-    MachineState m;
-    while (clock.now() < until) {
-      m = link->read(clock.now());
-      clock.advance(Seconds(0.005));
-    }
-    return m;
-  }
-  test::VirtualClock clock{instantFromNs(1'000'000'000)};
-  WireFaults faults;
-  FakeGrbl grbl;
-  ScriptedWire* wire = nullptr;
-  CommandMaker gate;
-  std::unique_ptr<GrblLink> link;
-};
+using Bench = GrblBench;
 
 TEST(GrblStart, ABoardThatStartsAnewIsOpenedOnceAndWaitedFor) {
   for (const double boot : {0.4, 0.7, 1.2, 2.0, 3.0}) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "tests/protocol/commands.h"
+#include "tests/protocol/grbl_bench.h"
 #include "tests/support/fake_grbl.h"
 
 namespace stillcut::cnc {
@@ -14,28 +15,7 @@ namespace {
 
 using namespace testing;
 
-struct Bench {
-  Bench() {
-    auto made = std::make_unique<ScriptedWire>(clock, faults, grbl);
-    wire = made.get();
-    link = std::make_unique<GrblLink>(GrblSettings{}, std::move(made), clock);
-  }
-  MachineState run(double seconds) {
-    const Instant until = clock.now() + toDuration(Seconds(seconds));
-    MachineState m;
-    while (clock.now() < until) {
-      m = link->read(clock.now());
-      clock.advance(Seconds(0.005));
-    }
-    return m;
-  }
-  test::VirtualClock clock{instantFromNs(1'000'000'000)};
-  WireFaults faults;
-  FakeGrbl grbl;
-  ScriptedWire* wire = nullptr;
-  CommandMaker gate;
-  std::unique_ptr<GrblLink> link;
-};
+using Bench = GrblBench;
 
 TEST(GrblStatus, TakesTheReportOfTheManual) {
   GrblReport r;
