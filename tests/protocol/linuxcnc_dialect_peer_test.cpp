@@ -54,13 +54,14 @@ class LinuxCncNewerReal : public testing::LinuxCncBench, public ::testing::WithP
 LinuxCncPeer* LinuxCncNewerReal::peer_ = nullptr;
 
 TEST_P(LinuxCncNewerReal, BothOverridesActTheSpindleFollowsAndEveryEndGoesHome) {
-  apply(90.0);
-  EXPECT_TRUE(until([](const MachineState& m) { return at(m, 0.9) && std::abs(m.actualSpeed.value - 7200.0) < 20.0; }))
+  const auto followed = [](const MachineState& m) {
+    return at(m, 0.9) && std::abs(m.actualSpeed.value - 7200.0) < 20.0;
+  };
+  EXPECT_TRUE(untilCommanding(90.0, followed))
       << seen_.speedOverride.value << " " << seen_.feedOverride.value << " " << seen_.actualSpeed.value;
   link_->release(clock_.now());
   EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0) && std::abs(m.actualSpeed.value - 8000.0) < 20.0; }));
-  apply(90.0);
-  ASSERT_TRUE(until([](const MachineState& m) { return at(m, 0.9); }));
+  ASSERT_TRUE(untilCommanding(90.0, [](const MachineState& m) { return at(m, 0.9); }));
   link_.reset();
   const std::string left = LinuxCncPeer::talk({"get feed_override", "get spindle_override 0"});
   EXPECT_NE(left.find("FEED_OVERRIDE 100"), std::string::npos) << left;

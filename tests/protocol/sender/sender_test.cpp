@@ -7,7 +7,7 @@
 #include "core/cnc/grbl/grbl_link.h"
 #include "core/cnc/sender/sender_wire.h"
 #include "tests/protocol/commands.h"
-#include "tests/protocol/fake_sender.h"
+#include "tests/protocol/sender/fake_sender.h"
 
 namespace stillcut::cnc {
 namespace {

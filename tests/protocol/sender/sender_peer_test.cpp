@@ -40,8 +40,8 @@ class GrblBehindCncjs : public ::testing::Test {
       wire->wait(std::chrono::milliseconds(20));
       return wire->state() == WireState::Open;
     }));
-    operator_ = run("exec node " STILLCUT_SOURCE_DIR "/tests/protocol/sender_operator.js " + std::string(modules) +
-                    " " + port + " " + path_);
+    operator_ = run("exec node " STILLCUT_SOURCE_DIR "/tests/protocol/sender/sender_operator.js " +
+                    std::string(modules) + " " + port + " " + path_);
     link_ = make();
     ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.programRunning; }, 20.0));
   }
