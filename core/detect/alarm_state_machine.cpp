@@ -80,6 +80,7 @@ Verdict AlarmStateMachine::verdict(const ConditionedBlock& block) const {
   v.feedSinceOnset = Metres(feedSinceOnset_);
   if (v.alarming()) v.kind = kind(block.spindle);
   if (block.phase == CutPhase::RunUp) v.reason = {ReasonCode::SpindleRunUp, {toRpm(block.spindle).value}};
+  doubtOverloaded(v, block);
   return v;
 }
 

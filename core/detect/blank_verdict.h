@@ -23,4 +23,11 @@ inline Verdict blankVerdict(const ConditionedBlock& block) {
   return v;
 }
 
+// A verdict that is filled: no cut whose vibration went beyond a sensor's limit is called stable.
+inline void doubtOverloaded(Verdict& v, const ConditionedBlock& block) {
+  if (!block.overloaded || !v.valid || v.alarming() || v.phase == CutPhase::AirCutting) return;
+  v.valid = false;
+  v.reason = {ReasonCode::InputClipped, {}};
+}
+
 }  // namespace stillcut::detect

@@ -25,7 +25,7 @@ struct SensorStatus {
   Hertz actualRate{};            // against the clock that stamps the blocks; 0: not known yet
   Hertz actualRateSd{};          // its doubt
   std::uint64_t lostFrames = 0;  // since the start, as the device reports them
-  Reason fault;                  // why the verdicts are invalid now; None: the sensors can be believed
+  Reason fault;  // of the signal as a whole, or of the first channel that is left out; None: all can be believed
 };
 
 }  // namespace stillcut

@@ -21,9 +21,10 @@ struct ConditionedBlock {
   Hertz rate{};
   int channels = 0;
   int frames = 0;
-  bool valid = false;     // false: detectors hold their state and say `reason`
-  bool afterGap = false;  // samples were lost just before: filters must restart
-  Reason reason;          // why not valid
+  bool valid = false;       // false: detectors hold their state and say `reason`
+  bool afterGap = false;    // samples were lost just before: filters must restart
+  Reason reason;            // why not valid
+  bool overloaded = false;  // a sensor is at its limit: chatter is heard all the same, that a cut is stable is not
   CutPhase phase = CutPhase::AirCutting;
   double levelTrend = 1.0;            // mean square of the last turn over that of the last few
   Hertz spindle{};                    // best estimate at the end of the block; 0: unknown
@@ -32,7 +33,7 @@ struct ConditionedBlock {
   Hertz isolatedLine{};               // holds most of the vibration and cannot be forced (speed_tracker.h); 0: none
   bool speedChanging = false;         // the angle follows a machine that changes its speed
   bool revolutionsComparable = true;  // false: its speed changes too fast to compare one turn with the next
-  const double* samples = nullptr;    // [channel * stride + frame], SI units, high-passed
+  const double* samples = nullptr;    // [channel * stride + frame], SI units, high-passed; 0 of a channel left out
   std::ptrdiff_t stride = 0;
   const double* angle = nullptr;      // [frame], integrated spindle angle in rad, wrapped to 0..2 pi
   const double* angleStep = nullptr;  // [frame], rad per sample: 2 pi f_sp / F_s

@@ -90,10 +90,12 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   integrals_.assign(any && kHighestChatter < setup.rate * 0.45 ? count : 0, {});
   offset_.assign(count, 0.0);
   samples_.assign(count * frames, 0.0);
+  kept_.assign(count * frames, 0.0);
   angle_.assign(frames, 0.0);
   angleStep_.assign(frames, 0.0);
   stepFrames_ = std::max(1, static_cast<int>(std::lround(kStep.value * setup.rate.value)));
   check_.prepare(setup);
+  leftOut_.prepare(setup);
   sensors_.prepare(setup);
   speed_.prepare(setup, params.real(kSpeedRange));
   series_.prepare(setup, params.real(kSpeedRange));
@@ -113,6 +115,7 @@ double Conditioner::chosen(const config::ParamDecl& decl) const {
 
 void Conditioner::reset() noexcept {
   check_.reset();
+  leftOut_.reset();
   sensors_.reset();
   speed_.reset();
   series_.reset();
@@ -145,7 +148,13 @@ bool Conditioner::usable(const SampleBlock& block) noexcept {
     out_.reason = {ReasonCode::DetectorFault, {}};
     return false;
   }
-  out_.reason = check_.check(block);
+  check_.look(block);
+  const Seconds length(block.frames / setup_.rate.value);
+  for (int c = 0; c < channels_; ++c) {
+    if (check_.fault(c).code != ReasonCode::None) leftOut_.see(c, check_.fault(c), length);
+  }
+  out_.overloaded = check_.clipped();
+  out_.reason = check_.allBad() ? leftOut_.allOut() : Reason{};
   if (out_.reason.code == ReasonCode::None && block.has(kBlockGap)) {
     // The block after the gap is sound in itself, but everything that was followed through it is not.
     out_.reason = {ReasonCode::InputGap, {static_cast<double>(block.lostFrames)}};
@@ -160,8 +169,9 @@ void Conditioner::makeSi(const SampleBlock& block) noexcept {
     double* out = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
     const double scale = setup_.channels[i].scale;
     if (!primed_) offset_[i] = scale * static_cast<double>(in[0]);  // spares the filter the step
+    const bool numbers = check_.fault(c).code == ReasonCode::None;
     for (int f = 0; f < block.frames; ++f) {
-      out[f] = scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i];
+      out[f] = numbers ? scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i] : 0.0;
     }
   }
   dsp::Butterworth::process(filters_, samples_.data(), capacity_, samples_.data(), capacity_,
@@ -172,6 +182,22 @@ void Conditioner::makeSi(const SampleBlock& block) noexcept {
     for (int f = 0; f < block.frames; ++f) row[f] = integrals_[c].process(row[f]);
   }
   primed_ = true;
+}
+
+void Conditioner::silenceLeftOut() noexcept {
+  for (int c = 0; c < channels_; ++c) {
+    if (!leftOut_.is(c)) continue;
+    double* row = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
+    std::copy_n(row, out_.frames, kept_.data() + static_cast<std::ptrdiff_t>(c) * capacity_);
+    std::fill_n(row, out_.frames, 0.0);
+  }
+}
+
+void Conditioner::restoreLeftOut() noexcept {
+  for (int c = 0; c < channels_; ++c) {
+    const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(c) * capacity_;
+    if (leftOut_.is(c)) std::copy_n(kept_.data() + from, out_.frames, samples_.data() + from);
+  }
 }
 
 void Conditioner::addSquares(int from, int frames) noexcept {
@@ -244,7 +270,13 @@ Reason Conditioner::doubtAir() const noexcept {
 
 // The signal goes on, so that the speed is followed and recovery is seen; the detectors start anew after it.
 void Conditioner::checkSensors(const SampleBlock& block) noexcept {
-  Reason doubt = sensors_.check(block, out_, gate_);
+  restoreLeftOut();
+  Reason doubt = sensors_.check(block, out_, check_, gate_);
+  silenceLeftOut();
+  const Seconds length(block.frames / setup_.rate.value);
+  for (int c = 0; c < channels_; ++c)
+    leftOut_.see(c, sensors_.status().channel[static_cast<std::size_t>(c)].fault, length);
+  if (doubt.code == ReasonCode::None) doubt = leftOut_.allOut();
   if (doubt.code == ReasonCode::None) doubt = doubtAir();
   if (doubted_ && doubt.code == ReasonCode::None) out_.afterGap = true;
   doubted_ = doubt.code != ReasonCode::None;
@@ -278,7 +310,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.stride = capacity_;
   out_.angle = angle_.data();
   out_.angleStep = angleStep_.data();
-  out_.afterGap = false;
+  out_.afterGap = leftOut_.takeReturned();
   out_.feed = feedNow(machine, setup_.nominalFeed);
   speed_.setMachineState(machine, out_.frames, out_.end());
   out_.valid = usable(block);
@@ -293,6 +325,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
     gapPending_ = false;
   }
   makeSi(block);
+  silenceLeftOut();
   follow(block.frames);
   out_.spindle = speed_.known() ? speed_.spindle() : Hertz(0.0);
   out_.series = series_.newest();

@@ -15,6 +15,7 @@
 #include "core/sensing/conditioned_block.h"
 #include "core/sensing/cut_gate.h"
 #include "core/sensing/input_check.h"
+#include "core/sensing/left_out.h"
 #include "core/sensing/sensor_check.h"
 #include "core/spindle/series_watch.h"
 #include "core/spindle/speed_tracker.h"
@@ -59,6 +60,8 @@ class Conditioner {
  private:
   void restart() noexcept;
   bool usable(const SampleBlock& block) noexcept;
+  void silenceLeftOut() noexcept;
+  void restoreLeftOut() noexcept;
   void makeSi(const SampleBlock& block) noexcept;
   void follow(int frames) noexcept;
   void addSquares(int from, int frames) noexcept;
@@ -78,6 +81,7 @@ class Conditioner {
   bool gapPending_ = false;
   bool doubted_ = false;  // the sensors, by the block before
   InputCheck check_;
+  LeftOut leftOut_;
   SensorCheck sensors_;
   SpeedTracker speed_;
   SeriesWatch series_;
@@ -88,6 +92,7 @@ class Conditioner {
   std::vector<dsp::Butterworth> integrals_;  // low-pass of speed and current; none where there is neither
   std::vector<double> offset_;
   std::vector<double> samples_;
+  std::vector<double> kept_;  // what a channel that is left out delivers, for the check of the sensors
   std::vector<double> angle_;
   std::vector<double> angleStep_;
   std::array<const double*, kMaxChannels> pointers_{};

@@ -13,6 +13,7 @@ constexpr double kCloseRelative = 0.6;  // the gate closes at this part of its o
 constexpr double kEntryTurns = 8.0;     // shortest entry
 constexpr double kSlowTurns = 6.0;      // memory against which entry and exit are seen
 constexpr double kSettled = 1.6;        // 2 dB: the level no longer moves
+constexpr double kLeaps = 4.0;          // 6 dB up within the memory: more than chatter makes before it is heard
 constexpr double kFalling = 0.5;        // 3 dB down within the memory: the tool leaves
 constexpr double kStayTurns = 3.0;    // a level that falls stands still for a moment, and the tool leaves all the same
 constexpr double kStillTurns = 20.0;  // ... but not for so long: a cut that goes on with less is no exit
@@ -89,6 +90,8 @@ CutPhase CutGate::next(double revolution) const noexcept {
     if (phase_ == CutPhase::RunUp) return CutPhase::Entry;
     return turns > kEntryTurns && (settled || turns > kLongestEntry) ? CutPhase::Steady : CutPhase::Entry;
   }
+  // A spindle whose own sound lies on its teeth was no cut yet: this is where the tool enters.
+  if (phase_ == CutPhase::Steady && !airSeen_ && level_ > kLeaps * slow_) return CutPhase::Entry;
   if (phase_ == CutPhase::Exit && still_ > kStillTurns * revolution) return CutPhase::Steady;
   if (fast < kFalling * slow_ || fast < kSinking * long_) return CutPhase::Exit;
   if (phase_ == CutPhase::Exit && std::max(settled_, louder_) > kStayTurns * revolution) return CutPhase::Steady;
@@ -126,10 +129,8 @@ void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seco
     slow_ = level_;
     cutFloor_ = floor_;
   }
-  if (before == CutPhase::Steady && phase_ == CutPhase::Exit) {
-    whole_ = std::max(slow_, long_);
-    if (steady > kFloorSeconds) cutFloor_ = floor_;
-  }
+  if (before == CutPhase::Steady && phase_ == CutPhase::Exit) whole_ = std::max(slow_, long_);
+  if (before == CutPhase::Steady && phase_ != CutPhase::Steady && steady > kFloorSeconds) cutFloor_ = floor_;
   // A cut that goes on with less has not left; what it was before is no measure any more.
   if (before == CutPhase::Exit && phase_ == CutPhase::Steady) {
     long_ = level_;

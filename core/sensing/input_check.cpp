@@ -29,10 +29,12 @@ void InputCheck::reset() noexcept {
   for (InputChannel& c : channels_) {
     c.run = 0;
     c.clip = {};
+    c.fault = {};
   }
+  clipped_ = false;
 }
 
-Reason InputCheck::checkChannel(std::span<const float> samples, int index) noexcept {
+Reason InputCheck::lookAt(std::span<const float> samples, int index) noexcept {
   InputChannel& c = channels_[static_cast<std::size_t>(index)];
   for (const float v : samples) {
     if (!std::isfinite(v)) return {ReasonCode::InputNotFinite, {static_cast<double>(index)}};
@@ -42,23 +44,28 @@ Reason InputCheck::checkChannel(std::span<const float> samples, int index) noexc
   }
   if (c.run >= deadRun_ && changesOnly(c.quantity)) return {ReasonCode::InputDead, {static_cast<double>(index)}};
   // What holds a value is no converter at its limit.
-  if (c.quantity != SensorQuantity::SpindleSpeed && c.clip.see(samples)) return {ReasonCode::InputClipped, {}};
+  clipped_ = (c.quantity != SensorQuantity::SpindleSpeed && c.clip.see(samples)) || clipped_;
   return {};
 }
 
-Reason InputCheck::check(const SampleBlock& block) noexcept {
-  Reason worst;
-  const int channels = std::min(block.channels, kMaxChannels);
+bool InputCheck::allBad() const noexcept {
+  return std::all_of(channels_.begin(), channels_.begin() + count_,
+                     [](const InputChannel& c) { return !c.hears || c.fault.code != ReasonCode::None; });
+}
+
+void InputCheck::look(const SampleBlock& block) noexcept {
+  clipped_ = block.has(kBlockClipped);
+  const int channels = count_ = std::min(block.channels, kMaxChannels);
   bool still = channels > 0;
   for (int c = 0; c < channels; ++c) {
-    const Reason reason = checkChannel(block.channel(c), c);
-    if (worst.code == ReasonCode::None) worst = reason;
-    const InputChannel& of = channels_[static_cast<std::size_t>(c)];
+    InputChannel& of = channels_[static_cast<std::size_t>(c)];
+    of.fault = lookAt(block.channel(c), c);
     still = still && (!of.hears || of.run >= deadRun_);
   }
-  if (worst.code == ReasonCode::None && block.has(kBlockClipped)) return {ReasonCode::InputClipped, {}};
-  if (worst.code == ReasonCode::None && still) return {ReasonCode::InputDead, {0.0}};
-  return worst;
+  for (int c = 0; c < channels && still; ++c) {
+    InputChannel& of = channels_[static_cast<std::size_t>(c)];
+    if (of.hears) of.fault = {ReasonCode::InputDead, {static_cast<double>(c)}};
+  }
 }
 
 }  // namespace stillcut::detect

@@ -74,6 +74,14 @@ void SensorCheck::reset() noexcept {
   begin();
 }
 
+// Values that are no numbers would stay in every sum.
+void SensorCheck::drop(int index) noexcept {
+  SensorChannel& c = channels_[static_cast<std::size_t>(index)];
+  c.fill = c.beforeFill = 0;
+  c.sum = 0.0;
+  c.repeats.interrupt();
+}
+
 // The channels' windows end one after another, so that no block has to look at all of them: the first is shorter.
 void SensorCheck::begin() noexcept {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -200,7 +208,7 @@ Reason SensorCheck::faultOf(int index, const CutGate& gate) const noexcept {
   if (heard && c.hum.part() > kHumPart) return {ReasonCode::InputHum, {channel, c.hum.mains().value}};
   if (c.noise.stands()) return {ReasonCode::InputNoise, {channel}};
   const int twin = pairs_.twinOf(index);
-  if (twin >= 0) return {ReasonCode::InputDoubled, {static_cast<double>(twin), channel}};
+  if (twin >= 0 && twin < index) return {ReasonCode::InputDoubled, {static_cast<double>(twin), channel}};
   if (c.repeats.repeats() && c.quantity != SensorQuantity::SpindleSpeed)  // told now and then, and held
     return {ReasonCode::InputRepeated, {channel}};
   if (const auto [line, order] = alias_.folded(index); order > 0) {
@@ -209,30 +217,37 @@ Reason SensorCheck::faultOf(int index, const CutGate& gate) const noexcept {
   return {};
 }
 
-Reason SensorCheck::check(const SampleBlock& raw, const ConditionedBlock& block, const CutGate& gate) noexcept {
+Reason SensorCheck::faultOfAll(const SampleBlock& raw) const noexcept {
+  if (rate_.wrong()) return {ReasonCode::InputRate, {rate_.rate().value, status_.nominalRate.value}};
+  if (raw.has(kBlockRateMismatch) && rateMismatchChannel(raw) >= static_cast<int>(channels_.size()))
+    return {ReasonCode::InputRepeated, {static_cast<double>(rateMismatchChannel(raw))}};
+  if (rate_.pending() > 0.0) return {ReasonCode::Learning, {rate_.pending()}};
+  return {};
+}
+
+Reason SensorCheck::check(const SampleBlock& raw, const ConditionedBlock& block, const InputCheck& input,
+                          const CutGate& gate) noexcept {
   rate_.push(raw);
   pairs_.push(raw);
   alias_.push(block, gate.inCut());
   status_.actualRate = rate_.rate();
   status_.actualRateSd = rate_.sd();
-  status_.fault = {};
+  const int slower = raw.has(kBlockRateMismatch) ? rateMismatchChannel(raw) : -1;
+  Reason first;
   for (int i = 0; i < block.channels; ++i) {
-    take(raw, block, i, gate);
-    const Reason fault = faultOf(i, gate);
+    Reason fault = input.fault(i);
+    if (fault.code == ReasonCode::None) {
+      take(raw, block, i, gate);
+      fault = i == slower ? Reason{ReasonCode::InputRepeated, {static_cast<double>(i)}} : faultOf(i, gate);
+    } else {
+      drop(i);
+    }
     status_.channel[static_cast<std::size_t>(i)].fault = fault;
-    if (status_.fault.code == ReasonCode::None) status_.fault = fault;
+    if (first.code == ReasonCode::None) first = fault;
   }
-  if (rate_.wrong() && status_.fault.code == ReasonCode::None) {
-    status_.fault = {ReasonCode::InputRate, {rate_.rate().value, status_.nominalRate.value}};
-  }
-  if (raw.has(kBlockRateMismatch) && status_.fault.code == ReasonCode::None) {
-    const int channel = rateMismatchChannel(raw);
-    status_.fault = {ReasonCode::InputRepeated, {static_cast<double>(channel)}};
-    if (channel < block.channels) status_.channel[static_cast<std::size_t>(channel)].fault = status_.fault;
-  }
-  if (rate_.pending() > 0.0 && status_.fault.code == ReasonCode::None)
-    status_.fault = {ReasonCode::Learning, {rate_.pending()}};
-  return status_.fault;
+  const Reason all = faultOfAll(raw);
+  status_.fault = all.code != ReasonCode::None ? all : first;
+  return all;
 }
 
 }  // namespace stillcut::detect

@@ -1,5 +1,5 @@
-// Whether the sensors can be believed over tenths of seconds; what one block shows is input_check.h's. Always on. What
-// cannot be believed makes the verdicts invalid with a reason; it never reads as "stable".
+// Whether the sensors can be believed over tenths of seconds; what one block shows is input_check.h's. Always on. A
+// channel that cannot be believed is left out (left_out.h); a rate that cannot makes the verdicts invalid.
 //
 // Every channel is looked at in windows of a tenth of a second, 256 samples at the least:
 //   loose mount      in the cut, much of the energy lies in knocks at no fixed spindle angle (knock_finder.h),
@@ -35,6 +35,7 @@
 #include "core/sensing/conditioned_block.h"
 #include "core/sensing/cut_gate.h"
 #include "core/sensing/hum_watch.h"
+#include "core/sensing/input_check.h"
 #include "core/sensing/knock_finder.h"
 #include "core/sensing/pair_watch.h"
 
@@ -46,8 +47,10 @@ class SensorCheck {
   void reset() noexcept;
   // A block that cannot be used at all: what was collected is dropped, what was found stands.
   void interrupt(const SampleBlock& raw, const Reason& why) noexcept;
-  // The block as delivered and as conditioned. None: the sensors can be believed.
-  Reason check(const SampleBlock& raw, const ConditionedBlock& block, const CutGate& gate) noexcept;
+  // The block as delivered and as conditioned, and what it shows of each channel. None: its rate can be believed;
+  // each channel's own fault is in status().
+  Reason check(const SampleBlock& raw, const ConditionedBlock& block, const InputCheck& input,
+               const CutGate& gate) noexcept;
 
   const SensorStatus& status() const noexcept { return status_; }
 
@@ -68,6 +71,8 @@ class SensorCheck {
     dsp::Finding loose, off, noise, still;
   };
   void begin() noexcept;
+  void drop(int index) noexcept;
+  Reason faultOfAll(const SampleBlock& raw) const noexcept;
   void take(const SampleBlock& raw, const ConditionedBlock& block, int index, const CutGate& gate) noexcept;
   void look(int index, const CutGate& gate) noexcept;
   void watchMean(SensorChannel& c, double mean, double peak) noexcept;

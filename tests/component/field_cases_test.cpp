@@ -36,16 +36,8 @@ struct Short {
   std::string_view name, found;
 };
 constexpr auto kShortToday = std::to_array<Short>({
-    {"slot_3000_order_26_100_late", "alarm at 3.53 s, chatter begins at 6.50 s; in alarm 100 % of it, 2 alarms"},
-    {"slot_3000_order_26_500_late", "alarm at 3.53 s, chatter begins at 6.50 s; in alarm 100 % of it, 2 alarms"},
     {"slot_3000_order_26_950_entry", "in alarm 19 % of it, 1 alarms"},
-    {"slot_3000_order_26_950_late", "alarm at 3.53 s, chatter begins at 6.50 s; in alarm 100 % of it, 2 alarms"},
     {"slot_stable", "1 alarms, the first at 3.52 s"},
-    {"second_channel_silent", "no alarm"},
-    {"second_channel_dies", "no alarm"},
-    {"second_channel_hums", "no alarm"},
-    {"overloaded_4_times", "in alarm 4 % of it, 52 alarms"},
-    {"overloaded_6_times", "in alarm 0 % of it, 4 alarms"},
     {"mains_hum_half_of_chatter", "in alarm 57 % of it, 1 alarms"},
     {"mains_hum_nearly_chatter", "no alarm"},
     {"axis_drive_weak", "7 alarms, the first at 3.34 s"},

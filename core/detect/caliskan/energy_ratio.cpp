@@ -282,6 +282,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) {
 Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const {
   Verdict v = blankVerdict(block);
   if (v.valid) judge_.fill(v, spindle_);
+  doubtOverloaded(v, block);
   return v;
 }
 

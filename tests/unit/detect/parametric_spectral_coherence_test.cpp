@@ -190,13 +190,17 @@ TEST(Three, BadInputIsInvalidWithItsReasonAndDoesNotAlarm) {
   for (const char* id : kDetectors) {
     Feeder feeder(recording, id);
     for (int blocks = 1; feeder.fill(); ++blocks) {
-      if (blocks == 100) feeder.block.channel(1)[3] = std::numeric_limits<float>::quiet_NaN();
+      if (blocks == 50) feeder.block.channel(1)[3] = std::numeric_limits<float>::quiet_NaN();  // the other goes on
+      for (const int c : {0, 1}) {
+        if (blocks == 100) feeder.block.channel(c)[3] = std::numeric_limits<float>::quiet_NaN();
+      }
       if (blocks == 200) feeder.block.flags = kBlockGap;
       const Verdict v = feeder.process();
       EXPECT_EQ(v.time, feeder.block.end());
       EXPECT_EQ(v.blockSequence, feeder.block.sequence);
       EXPECT_FALSE(v.alarming()) << id << blocks;
       EXPECT_TRUE(!v.valid || (blocks != 100 && blocks != 200)) << id;
+      EXPECT_NE(blocks == 50 ? v.reason.code : ReasonCode::None, ReasonCode::InputNotFinite) << id;
       if (blocks == 100) {
         EXPECT_EQ(v.reason.code, ReasonCode::InputNotFinite);
       }

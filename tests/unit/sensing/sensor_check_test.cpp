@@ -42,7 +42,8 @@ class SensorCheckTest : public ::testing::Test {
   }
 
   struct Run {
-    std::vector<std::pair<double, Reason>> faults;  // end of each block that was not believed
+    std::vector<std::pair<double, Reason>> faults;  // end of each block of which not all was believed
+    int invalid = 0;                                // blocks that cannot be judged at all
     SensorStatus status;
     // Time until the first of them; -1: none.
     double first(ReasonCode code) const {
@@ -84,10 +85,10 @@ class SensorCheckTest : public ::testing::Test {
       if (test::PathCounter::works()) {
         EXPECT_TRUE(counter.counts().none());
       }
-      if (!conditioned.valid) {
-        out.faults.emplace_back(static_cast<double>(at + static_cast<std::size_t>(block.frames)) / kRate,
-                                conditioned.reason);
-      }
+      const Reason& fault = conditioner.sensors().fault;
+      if (fault.code != ReasonCode::None)
+        out.faults.emplace_back(static_cast<double>(at + static_cast<std::size_t>(block.frames)) / kRate, fault);
+      out.invalid += conditioned.valid ? 0 : 1;
       ++block.sequence;
     }
     out.status = conditioner.sensors();
@@ -169,6 +170,7 @@ TEST_F(SensorCheckTest, ACableThatBreaksInTheCutIsNoEndOfTheCut) {
   expectFound(broken, ReasonCode::InputSilent, 0.8);
   EXPECT_EQ(broken.faults.back().second.n[0], 1.0);
   EXPECT_GT(broken.last(), 5.9);
+  EXPECT_EQ(broken.invalid, 0) << "the other axis goes on";
 
   Samples ended = cut(6.0);
   for (auto& x : ended) {
@@ -212,6 +214,7 @@ TEST_F(SensorCheckTest, AForceOrASpeedMayRestButNoForceStandsStillInACutOfOthers
   const Run dead = with(SensorQuantity::Force, SensorQuantity::Force);
   EXPECT_GT(dead.first(ReasonCode::InputDead), kCutBegins);
   EXPECT_LT(dead.first(ReasonCode::InputDead), kCutBegins + 1.0);
+  EXPECT_EQ(dead.invalid, 0) << "the other axis goes on";
   EXPECT_GT(dead.last(), 3.9);
 }
 
@@ -286,6 +289,16 @@ TEST_F(SensorCheckTest, OneAxisTwiceIsFound) {
   std::normal_distribution<float> noise(0.0F, 0.002F);
   for (std::size_t f = 0; f < line[1].size(); ++f) line[1][f] = line[0][f] + noise(engine);
   EXPECT_EQ(run(line).first(ReasonCode::InputDoubled), -1.0);
+}
+
+// Both axes lost: nothing is left to judge by. One of them comes back: it goes on at once.
+TEST_F(SensorCheckTest, OnlyWhereNoChannelIsLeftNothingIsJudged) {
+  Samples samples = cut(6.0);
+  for (std::size_t f = frame(kFaultBegins); f < samples[0].size(); ++f) samples[0][f] = 0.0F;
+  EXPECT_EQ(run(samples).invalid, 0);
+  for (std::size_t f = frame(4.0); f < frame(5.0); ++f) samples[1][f] = std::nanf("");
+  const int blocks = run(samples).invalid;
+  EXPECT_NEAR(blocks * 256 / kRate, 1.0, 0.1);
 }
 
 TEST_F(SensorCheckTest, RepeatedValuesAreALowerRate) {
