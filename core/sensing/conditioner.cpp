@@ -51,6 +51,10 @@ bool hasLowPass(SensorQuantity q) {
   return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current;
 }
 
+bool vibrates(SensorQuantity q) {
+  return changesOnly(q) || q == SensorQuantity::Force || q == SensorQuantity::Displacement;
+}
+
 void refuse(const CutSetup& setup) {
   const auto count = static_cast<int>(setup.channels.size());
   if (count < 1 || count > kMaxChannels) {
@@ -85,6 +89,8 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   const auto frames = static_cast<std::size_t>(capacity_);
   kernels_ = dsp::kernels::bestKernels();
   filters_.assign(count, {});
+  hums_.assign(count, {});
+  for (HumCanceller& hum : hums_) hum.prepare(setup.rate);
   const bool any = std::any_of(setup.channels.begin(), setup.channels.end(),
                                [](const ChannelInfo& c) { return hasLowPass(c.quantity); });
   integrals_.assign(any && kHighestChatter < setup.rate * 0.45 ? count : 0, {});
@@ -120,6 +126,7 @@ void Conditioner::reset() noexcept {
   speed_.reset();
   series_.reset();
   gate_.reset();
+  for (HumCanceller& hum : hums_) hum.reset();
   out_ = {};
   restart();
   gapPending_ = false;
@@ -180,6 +187,12 @@ void Conditioner::makeSi(const SampleBlock& block) noexcept {
     if (!hasLowPass(setup_.channels[c].quantity)) continue;
     double* row = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
     for (int f = 0; f < block.frames; ++f) row[f] = integrals_[c].process(row[f]);
+  }
+  const Hertz spindle = speed_.known() ? speed_.spindle() : Hertz(0.0);
+  for (std::size_t c = 0; c < hums_.size(); ++c) {
+    const std::span<double> row(samples_.data() + c * static_cast<std::size_t>(capacity_),
+                                static_cast<std::size_t>(block.frames));
+    if (vibrates(setup_.channels[c].quantity)) hums_[c].process(row, spindle, !gate_.inCut());
   }
   primed_ = true;
 }

@@ -14,6 +14,7 @@
 #include "core/sensing/auto_values.h"
 #include "core/sensing/conditioned_block.h"
 #include "core/sensing/cut_gate.h"
+#include "core/sensing/hum_canceller.h"
 #include "core/sensing/input_check.h"
 #include "core/sensing/left_out.h"
 #include "core/sensing/sensor_check.h"
@@ -89,6 +90,7 @@ class Conditioner {
   CutGate gate_;
   dsp::kernels::Kernels kernels_;
   std::vector<dsp::Butterworth> filters_;
+  std::vector<HumCanceller> hums_;
   std::vector<dsp::Butterworth> integrals_;  // low-pass of speed and current; none where there is neither
   std::vector<double> offset_;
   std::vector<double> samples_;

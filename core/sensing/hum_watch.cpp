@@ -40,6 +40,7 @@ void HumWatch::reset() noexcept {
     line.rotor = 1.0;
     line.windowed = line.firstHalf = line.secondHalf = line.before = 0.0;
     line.known = false;
+    line.power = 0.0;
   }
   count_ = index_ = 0;
   frames_ = 0;
@@ -87,18 +88,25 @@ bool HumWatch::onMains(const Line& line) const noexcept {
   return std::abs(turned) < kTwoPi * kOffMains && std::abs(inside) < 0.5 * kTwoPi * kOffMains;
 }
 
+bool HumWatch::nearOrder(std::size_t line, Hertz spindle) const noexcept {
+  if (!(spindle.value > 0.0)) return false;
+  const double order = lines_[line].frequency / spindle.value;
+  return std::abs(order - std::round(order)) * spindle.value < kNearSpindle;
+}
+
 void HumWatch::finish() noexcept {
   meanSquare_ = squares_ / static_cast<double>(std::max(1L, frames_));
   part_ = 0.0;
   for (std::size_t m = 0; m < kMains.size(); ++m) {
     double power = 0.0;
     for (std::size_t k = 0; k < kMultiples.size(); ++k) {
-      const Line& line = lines_[m * kMultiples.size() + k];
-      const double order = spindle_.value > 0.0 ? line.frequency / spindle_.value : 0.5;
-      const bool forced = std::abs(order - std::round(order)) * spindle_.value < kNearSpindle && spindle_.value > 0.0;
-      if (line.frequency <= 0.0 || forced || !line.known || !onMains(line)) continue;
+      const std::size_t i = m * kMultiples.size() + k;
+      Line& line = lines_[i];
+      line.power = 0.0;
+      if (line.frequency <= 0.0 || nearOrder(i, spindle_) || !line.known || !onMains(line)) continue;
       const double amplitude = 4.0 * std::abs(line.windowed) / length_;  // the window's mean is a half
-      power += 0.5 * amplitude * amplitude;
+      line.power = 0.5 * amplitude * amplitude;
+      power += line.power;
     }
     if (meanSquare_ > 0.0 && power / meanSquare_ > part_) {
       part_ = std::min(1.0, power / meanSquare_);

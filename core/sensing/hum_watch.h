@@ -26,12 +26,19 @@ class HumWatch {
   double meanSquare() const noexcept { return meanSquare_; }
   Hertz mains() const noexcept { return mains_; }  // 50 or 60
 
- private:
   static constexpr std::size_t kLines = 8;  // 4 multiples of 50 Hz, then of 60 Hz
+  Hertz frequency(std::size_t line) const noexcept { return Hertz(lines_[line].frequency); }
+  // Mean square of a line in the last whole second; 0 where it does not stand on the mains.
+  double power(std::size_t line) const noexcept { return lines_[line].power; }
+  // A multiple of the spindle's frequency is so near that a second does not tell them apart.
+  bool nearOrder(std::size_t line, Hertz spindle) const noexcept;
+
+ private:
   struct Line {
     double frequency = 0.0;
     std::complex<double> step, rotor, windowed, firstHalf, secondHalf, before;
     bool known = false;
+    double power = 0.0;
   };
   void add(double x) noexcept;
   void finish() noexcept;

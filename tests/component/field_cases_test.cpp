@@ -38,8 +38,6 @@ struct Short {
 constexpr auto kShortToday = std::to_array<Short>({
     {"slot_3000_order_26_950_entry", "in alarm 19 % of it, 1 alarms"},
     {"slot_stable", "1 alarms, the first at 3.52 s"},
-    {"mains_hum_half_of_chatter", "in alarm 57 % of it, 1 alarms"},
-    {"mains_hum_nearly_chatter", "no alarm"},
     {"axis_drive_weak", "7 alarms, the first at 3.34 s"},
     {"axis_drive_loud", "5 alarms, the first at 2.71 s"},
     {"table_klipper", ": the sampling rate is not known: there is no time column (give it with --rate HZ)"},
