@@ -111,7 +111,7 @@ void addCoefficients(CLI::App& app, int& exitCode) {
   sub->add_option("FORCES", c->files, "Recordings of the three forces, one per feed, at least two")->required();
   sub->add_option("--out", c->out, "Write the coefficients to MATERIAL.toml");
   sub->add_option("--speed", c->speed, "Spindle speed [rev/min]")->required()->check(CLI::PositiveNumber);
-  sub->add_option("--teeth", c->teeth, "Number of teeth")->required()->check(CLI::Range(1, 12));
+  sub->add_option("--teeth", c->teeth, "Number of teeth")->required()->check(CLI::Range(1, milling::kMostTeeth));
   sub->add_option("--depth", c->depthMm, "Axial depth [mm]")->required()->check(CLI::PositiveNumber);
   auto* feed = sub->add_option("--feed", c->feedsMmPerMin, "Feed of each file [mm/min], as 300,900")->delimiter(',');
   sub->add_option("--feed-per-tooth", c->feedsPerToothMm, "Feed per tooth of each file [mm] instead")

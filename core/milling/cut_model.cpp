@@ -1,5 +1,6 @@
 #include "core/milling/cut_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -7,15 +8,45 @@
 
 namespace stillcut::milling {
 
+double helixOf(const Tool& tool, int tooth) {
+  return tool.toothHelix.empty() ? tool.helix : tool.toothHelix[static_cast<std::size_t>(tooth)];
+}
+
+double pitchAfter(const Tool& tool, int tooth) {
+  return tool.pitch.empty() ? kTwoPi / tool.teeth : tool.pitch[static_cast<std::size_t>(tooth)];
+}
+
 double Engagement::startAngle() const {
+  if (offset) return std::acos(std::clamp(*offset + radialImmersion, -1.0, 1.0));
   return side == MillingDirection::Up ? 0.0 : std::numbers::pi - std::acos(1.0 - 2.0 * radialImmersion);
 }
 
 double Engagement::exitAngle() const {
+  if (offset) return std::acos(std::clamp(*offset - radialImmersion, -1.0, 1.0));
   return side == MillingDirection::Up ? std::acos(1.0 - 2.0 * radialImmersion) : std::numbers::pi;
 }
 
+double processDampingOf(double indentationPerVolume, Metres wearLand) {
+  return 0.5 * indentationPerVolume * wearLand.value * wearLand.value;
+}
+
+Engagement engagementBetween(double startAngle, double exitAngle) {
+  const double from = std::cos(startAngle), to = std::cos(exitAngle);
+  const double offset = 0.5 * (from + to);
+  return {0.5 * (from - to), offset >= 0.0 ? MillingDirection::Up : MillingDirection::Down, offset};
+}
+
 namespace {
+
+Status checkEngagement(const Engagement& e, const std::string& place) {
+  if (!(e.radialImmersion > 0.0) || e.radialImmersion > 1.0) {
+    return Error{place, message("radial immersion must lie in (0, 1]")};
+  }
+  if (e.offset && !(std::abs(*e.offset) + e.radialImmersion <= 1.0 + 1e-9)) {
+    return Error{place, message("with this offset a part of the cut lies beyond the tool")};
+  }
+  return Done{};
+}
 
 Status checkMode(const Mode& m, const std::string& place) {
   const auto bad = [&](Message what) { return Status(Error{place, what}); };
@@ -30,7 +61,9 @@ Status checkMode(const Mode& m, const std::string& place) {
 Status checkTool(const Tool& t, const std::string& place) {
   const auto bad = [&](Message what) { return Status(Error{place, what}); };
   const auto teeth = static_cast<std::size_t>(t.teeth);
-  if (t.teeth < 1 || t.teeth > 12) return bad(message("teeth must be 1 to 12, not %1", std::to_string(t.teeth)));
+  if (t.teeth < 1 || t.teeth > kMostTeeth) {
+    return bad(message("teeth must be 1 to %1, not %2", std::to_string(kMostTeeth), std::to_string(t.teeth)));
+  }
   if (!(t.diameter.value > 0.0) || !isFinite(t.diameter)) return bad(message("diameter must be above zero"));
   if (!t.pitch.empty()) {
     if (t.pitch.size() != teeth) return bad(message("pitch needs one angle per tooth"));
@@ -45,7 +78,11 @@ Status checkTool(const Tool& t, const std::string& place) {
   for (Metres r : t.runout) {
     if (!isFinite(r)) return bad(message("runout must be finite"));
   }
-  if (!std::isfinite(t.helix) || std::abs(t.helix) > 1.4) return bad(message("helix must lie within 80 degrees"));
+  if (!t.toothHelix.empty() && t.toothHelix.size() != teeth) return bad(message("helix needs one angle per tooth"));
+  for (int j = 0; j < t.teeth; ++j) {
+    const double helix = helixOf(t, j);
+    if (!std::isfinite(helix) || std::abs(helix) > 1.4) return bad(message("helix must lie within 80 degrees"));
+  }
   return Done{};
 }
 
@@ -65,11 +102,7 @@ Status check(const CutModel& model, const std::string& where) {
     return Error{where + ": material", message("the tangential coefficient must be above zero")};
   if (!(m.exponent > 0.0) || m.exponent > 1.0)
     return Error{where + ": material", message("exponent must lie in (0, 1]")};
-  const double immersion = model.engagement.radialImmersion;
-  if (!(immersion > 0.0) || immersion > 1.0) {
-    return Error{where + ": engagement", message("radial immersion must lie in (0, 1]")};
-  }
-  return Done{};
+  return checkEngagement(model.engagement, where + ": engagement");
 }
 
 }  // namespace stillcut::milling

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -26,13 +27,21 @@ struct Mode {
   }
 };
 
+inline constexpr int kMostTeeth = 200;
+
 struct Tool {
-  int teeth = 2;  // 1 .. 12
+  int teeth = 2;  // 1 .. kMostTeeth
   Metres diameter{0.010};
-  std::vector<double> pitch;   // angle from each tooth to the next [rad], sums to 2 pi; empty: regular
-  double helix = 0.0;          // [rad]
-  std::vector<Metres> runout;  // radial, per tooth; empty: none
+  std::vector<double> pitch;       // angle from each tooth to the next [rad], sums to 2 pi; empty: regular
+  double helix = 0.0;              // [rad]
+  std::vector<double> toothHelix;  // [rad] of each tooth, where they differ; empty: `helix` for all
+  std::vector<Metres> runout;      // radial, per tooth; empty: none
 };
+
+// Helix of a tooth [rad].
+double helixOf(const Tool& tool, int tooth);
+// Angle from a tooth to the next one ahead of it [rad].
+double pitchAfter(const Tool& tool, int tooth);
 
 // F_t = a_p (K_t h^x + K_te), F_r = a_p (K_r h^x + K_re) for h > 0 (van Dijk eq. 1; x = 1 linear).
 struct Material {
@@ -44,14 +53,24 @@ struct Material {
   double processDamping = 0.0;  // indentation coefficient [N/m]; 0: off. Force = -a_p * c * (dr/dt) / v_c
 };
 
+// Process damping coefficient [N/m] of a flank with a wear land: the volume it presses under itself, a_p L^2/2 (dr/dt)/
+// v_c, times the specific indentation force [N/m^3] (Wu 1989; small-amplitude form of Ahmadi and Ismail 2010).
+double processDampingOf(double indentationPerVolume, Metres wearLand);
+
 enum class MillingDirection { Up, Down };
 
 struct Engagement {
   double radialImmersion = 1.0;  // a/D, 0 < a/D <= 1
   MillingDirection side = MillingDirection::Up;
+  // Of the middle of the cut from the tool's axis, towards +y, over the radius: 0 is a centred face mill. Empty: the
+  // tool's edge is the cut's edge, on `side`. What would lie beyond the tool is not cut.
+  std::optional<double> offset{};
   double startAngle() const;  // [rad]
   double exitAngle() const;   // [rad]
 };
+
+// The engagement of a tool that cuts from one angle to another [rad], 0 <= start < exit <= pi.
+Engagement engagementBetween(double startAngle, double exitAngle);
 
 struct CutModel {
   std::vector<Mode> modes;  // at least one

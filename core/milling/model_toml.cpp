@@ -1,5 +1,6 @@
 #include "core/milling/model_toml.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,12 +20,47 @@ std::vector<double> inSi(std::vector<double> values, double perUnit) {
 
 Tool readTool(const config::TomlTable& t) {
   Tool tool;
-  tool.teeth = t.integer("teeth", 1, 12);
+  tool.teeth = t.integer("teeth", 1, kMostTeeth);
   tool.diameter = Metres(milling::inSi(t.numberOr("diameter_mm", 10.0, 0.01, 1000.0), kPerMetreMm));
   tool.helix = milling::inSi(t.numberOr("helix_deg", 0.0, -80.0, 80.0), kPerRadian);
+  tool.toothHelix = inSi(t.numbersOr("tooth_helix_deg", {}), kPerRadian);
   tool.pitch = inSi(t.numbersOr("pitch_deg", {}), kPerRadian);
   for (double r : t.numbersOr("runout_um", {})) tool.runout.emplace_back(milling::inSi(r, kPerMetreUm));
   return tool;
+}
+
+MillingDirection readSide(const config::TomlTable& e, bool needed) {
+  const int side = needed ? e.choice("side", {"up", "down"}) : e.choiceOr("side", 0, {"up", "down"});
+  return side == 0 ? MillingDirection::Up : MillingDirection::Down;
+}
+
+// By its angles; a radial immersion beside them must be theirs.
+Engagement readAngles(const config::TomlTable& e) {
+  const double start = milling::inSi(e.number("start_deg", 0.0, 180.0), kPerRadian);
+  const double exit = milling::inSi(e.number("exit_deg", 0.0, 180.0), kPerRadian);
+  Engagement engagement = engagementBetween(start, std::max(start, exit));
+  if (!(exit > start)) e.refuse("exit_deg", message("the exit angle must lie above the start angle"));
+  const double said = e.numberOr("radial_immersion", engagement.radialImmersion, 1e-6, 1.0);
+  if (std::abs(said - engagement.radialImmersion) > 0.005) {
+    e.refuse("radial_immersion",
+             message("the angles make it %1", numberText(1e-4 * std::round(1e4 * engagement.radialImmersion))));
+  }
+  readSide(e, false);
+  return engagement;
+}
+
+Engagement readEngagement(const config::TomlTable& e, Metres diameter) {
+  if (e.has("start_deg") || e.has("exit_deg")) return readAngles(e);
+  Engagement engagement;
+  engagement.radialImmersion = e.number("radial_immersion", 1e-6, 1.0);
+  const bool offset = e.has("offset_mm") || e.has("offset_radii");
+  engagement.side = readSide(e, !offset);
+  if (e.has("offset_mm")) {
+    engagement.offset = milling::inSi(e.number("offset_mm", -1e3, 1e3), kPerMetreMm) / (0.5 * diameter.value);
+  } else if (offset) {
+    engagement.offset = e.number("offset_radii", -1.0, 1.0);
+  }
+  return engagement;
 }
 
 std::string list(const std::vector<double>& values, double perUnit) {
@@ -61,6 +97,13 @@ Material readMaterial(const config::TomlTable& t) {
   m.radialEdge = t.numberOr("radial_edge_n_per_m", 0.0, -1e9, 1e9);
   m.exponent = t.numberOr("exponent", 1.0, 0.01, 1.0);
   m.processDamping = t.numberOr("process_damping_n_per_m", 0.0, 0.0, 1e12);
+  if (t.has("indentation_n_per_m3") || t.has("wear_land_mm")) {
+    if (t.has("process_damping_n_per_m")) {
+      t.refuse("process_damping_n_per_m", message("it follows from the indentation coefficient and the wear land"));
+    }
+    const double perVolume = t.number("indentation_n_per_m3", 0.0, 1e16);
+    m.processDamping = processDampingOf(perVolume, Metres(inSi(t.number("wear_land_mm", 0.0, 2.0), kPerMetreMm)));
+  }
   return m;
 }
 
@@ -72,9 +115,7 @@ CutModel readModel(const config::TomlTable& root, const ModelParts& parts) {
   if (!parts.material || root.has("material")) model.material = readMaterial(root.table("material"));
   if (parts.material) model.material = *parts.material;
   for (const char* notes : {"modal_fit", "force_fit"}) root.tableOr(notes).keys();
-  const config::TomlTable e = root.table("engagement");
-  model.engagement.radialImmersion = e.number("radial_immersion", 1e-6, 1.0);
-  model.engagement.side = e.choice("side", {"up", "down"}) == 0 ? MillingDirection::Up : MillingDirection::Down;
+  model.engagement = readEngagement(root.table("engagement"), model.tool.diameter);
   return model;
 }
 
@@ -100,6 +141,7 @@ std::string modelText(const CutModel& model) {
   std::string s = modesText(model.modes);
   s += "[tool]\nteeth = " + std::to_string(t.teeth) + "\ndiameter_mm = " + numberText(t.diameter.value, kPerMetreMm) +
        "\nhelix_deg = " + numberText(t.helix, kPerRadian) + "\n";
+  if (!t.toothHelix.empty()) s += "tooth_helix_deg = " + list(t.toothHelix, kPerRadian) + "\n";
   if (!t.pitch.empty()) s += "pitch_deg = " + list(t.pitch, kPerRadian) + "\n";
   if (!t.runout.empty()) {
     std::vector<double> runout;
@@ -108,8 +150,9 @@ std::string modelText(const CutModel& model) {
   }
   s += "\n" + materialText(model.material);
   s += "[engagement]\nradial_immersion = " + numberText(model.engagement.radialImmersion) + "\nside = \"" +
-       (model.engagement.side == MillingDirection::Up ? "up" : "down") + "\"\n\n";
-  return s;
+       (model.engagement.side == MillingDirection::Up ? "up" : "down") + "\"\n";
+  if (model.engagement.offset) s += "offset_radii = " + numberText(*model.engagement.offset) + "\n";
+  return s + "\n";
 }
 
 std::string numberText(double value) {

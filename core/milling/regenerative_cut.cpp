@@ -9,6 +9,13 @@ namespace {
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
+
+bool hasHelix(const Tool& tool) {
+  for (int j = 0; j < tool.teeth; ++j) {
+    if (helixOf(tool, j) != 0.0) return true;
+  }
+  return false;
+}
 }  // namespace
 
 RegenerativeCut::RegenerativeCut(const CutModel& model, const CutNumerics& numerics)
@@ -19,7 +26,7 @@ RegenerativeCut::RegenerativeCut(const CutModel& model, const CutNumerics& numer
       modes_(std::min(static_cast<int>(model.modes.size()), kMaxModes)),
       teeth_(model.tool.teeth),
       cells_(numerics.stepsPerRevolution),
-      slices_(model.tool.helix != 0.0 ? std::max(1, numerics.slices) : 1),
+      slices_(hasHelix(model.tool) ? std::max(1, numerics.slices) : 1),
       sliceDepth_(std::max(numerics.deepest.value, 1e-9) / slices_),
       radius_(0.5 * model.tool.diameter.value),
       surface_(cells_, slices_) {
@@ -32,11 +39,11 @@ RegenerativeCut::RegenerativeCut(const CutModel& model, const CutNumerics& numer
     damper_[at(i)] = 2.0 * m.damping * std::sqrt(m.stiffness * m.mass());
   }
   for (int s = 0; s < slices_; ++s) {
-    // A right-hand helix lets the edge trail behind its tip with height.
-    const double lag = (s + 0.5) * sliceDepth_ * std::tan(model_.tool.helix) / radius_;
     double angle = 0.0;
     for (int j = 0; j < teeth_; ++j) {
-      double cells = (angle - (slices_ > 1 || model_.tool.helix != 0.0 ? lag : 0.0)) / kTwoPi * cells_;
+      // A right-hand helix lets the edge trail behind its tip with height.
+      const double lag = (s + 0.5) * sliceDepth_ * std::tan(helixOf(model_.tool, j)) / radius_;
+      double cells = (angle - lag) / kTwoPi * cells_;
       cells -= std::floor(cells / cells_) * cells_;
       Edge e;
       e.slice = s;
@@ -48,7 +55,7 @@ RegenerativeCut::RegenerativeCut(const CutModel& model, const CutNumerics& numer
       e.cosineRest = std::cos(e.fraction * kTwoPi / cells_);
       e.runout = model_.tool.runout.empty() ? 0.0 : model_.tool.runout[at(j)].value;
       edges_.push_back(e);
-      angle += model_.tool.pitch.empty() ? kTwoPi / teeth_ : model_.tool.pitch[at(j)];
+      angle += pitchAfter(model_.tool, j);
     }
   }
   setSpeed(1.0);

@@ -107,7 +107,9 @@ CuttingCoefficients solve(const Lines& l, const ForceTest& test) {
 
 Status check(const ForceTest& test) {
   const auto bad = [&](Message what, Message why = {}) { return Error{test.source, std::move(what), std::move(why)}; };
-  if (test.teeth < 1 || test.teeth > 12) return bad(message("the number of teeth must be 1 to 12"));
+  if (test.teeth < 1 || test.teeth > milling::kMostTeeth) {
+    return bad(message("the number of teeth must be 1 to %1", std::to_string(milling::kMostTeeth)));
+  }
   if (!(test.depth > 0.0 && test.depth < 1.0)) return bad(message("the axial depth must lie between 0 and 1 m"));
   const double immersion = test.engagement.radialImmersion;
   if (!(immersion > 0.0 && immersion <= 1.0)) return bad(message("the radial immersion must lie above 0 and up to 1"));

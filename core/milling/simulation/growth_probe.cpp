@@ -49,7 +49,7 @@ CutNumerics companionNumerics(CutNumerics plant, int tickSteps) {
 GrowthProbe::GrowthProbe(const CutModel& model, const CutNumerics& plant, int tickSteps, Metres feedPerTooth)
     : cut_(linearised(model, feedPerTooth), linearNumerics(companionNumerics(plant, tickSteps))),
       tickSteps_(companionTick(tickSteps)),
-      periods_(model.tool.pitch.empty() ? model.tool.teeth : 1),
+      periods_(model.tool.pitch.empty() && model.tool.toothHelix.empty() ? model.tool.teeth : 1),
       ticksPerPeriod_(plant.stepsPerRevolution / tickSteps / periods_),
       past_(static_cast<std::size_t>(2 * ticksPerPeriod_), 0.0) {
   for (int i = 0; i < cut_.modes(); ++i) {

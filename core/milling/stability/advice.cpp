@@ -11,6 +11,12 @@ namespace stillcut::milling {
 namespace {
 
 constexpr double kDepthSearched = 4.0;  // times the depth asked for
+constexpr double kWaveStep = 0.1;  // waves of the fastest mode between two teeth from one speed looked at to the next
+constexpr std::size_t kMostSteps = 5000;
+constexpr double kClearOfLimit = 1.1;  // limit over depth that a quiet speed has
+constexpr int kQuietLooks = 60;        // speeds of a pocket compared for their forced vibration
+constexpr double kBestStep = 0.5;      // [rev/min]
+constexpr double kEdgeStep = 0.05;     // [rev/min]
 
 class Adviser {
  public:
@@ -48,7 +54,7 @@ class Adviser {
   // Bisection between a stable and an unstable speed.
   PocketEdge edge(Rpm inside, Rpm outside) const {
     SpeedLimits beyond;
-    while (std::abs((outside - inside).value) > 1e-6 * inside.value && !stop_.stop_requested()) {
+    while (std::abs((outside - inside).value) > std::min(kEdgeStep, 1e-4 * inside.value) && !stop_.stop_requested()) {
       const Rpm middle = 0.5 * (inside + outside);
       SpeedLimits limits = at(middle);
       if (stable(limits)) {
@@ -76,12 +82,55 @@ class Adviser {
     // Where nothing limits a stretch of speeds its middle is the best.
     std::size_t end = best;
     while (end + 1 <= last && limitOf(s[end + 1]) >= p.limit) ++end;
-    p.best = 0.5 * (p.best + s[end].speed);
+    p.best = end > best ? 0.5 * (p.best + s[end].speed)
+                        : climbed(p.best, best > first ? s[best - 1].speed : p.from.speed,
+                                  best < last ? s[best + 1].speed : p.to.speed);
     p.limit = limitOf(at(p.best));
     p.margin = p.limit / request_.depth - 1.0;
     p.width = std::min(p.best - p.from.speed, p.to.speed - p.best) / p.best;
     p.removal = removal(p.best);
+    if (request_.feedPerTooth.value > 0.0) {
+      p.forced = forcedVibration(model_, p.best, request_.depth, request_.feedPerTooth);
+      if (p.forced) p.quietest = quietest(p.from.speed, p.to.speed);
+    }
     return p;
+  }
+
+  // The speed of the largest limit between two that lie lower: finer and finer grids around the best so far.
+  Rpm climbed(Rpm best, Rpm low, Rpm high) const {
+    constexpr int kCells = 8;
+    Metres limit = limitOf(at(best));
+    while (high - low > Rpm(kBestStep) && !stop_.stop_requested()) {
+      const Rpm from = low, step = (high - low) / static_cast<double>(kCells);
+      for (int i = 1; i < kCells; ++i) {
+        const Rpm speed = from + static_cast<double>(i) * step;
+        const Metres there = limitOf(at(speed));
+        if (there > limit) {
+          limit = there;
+          best = speed;
+        }
+      }
+      low = std::max(low, best - step);
+      high = std::min(high, best + step);
+    }
+    return best;
+  }
+
+  std::optional<QuietestSpeed> quietest(Rpm from, Rpm to) const {
+    std::vector<QuietestSpeed> looks;
+    for (int i = 0; i <= kQuietLooks; ++i) {
+      const Rpm speed = from + (to - from) * (static_cast<double>(i) / kQuietLooks);
+      if (auto forced = forcedVibration(model_, speed, request_.depth, request_.feedPerTooth)) {
+        looks.push_back({speed, {}, *forced});
+      }
+    }
+    std::sort(looks.begin(), looks.end(),
+              [](const auto& a, const auto& b) { return a.forced.acceleration < b.forced.acceleration; });
+    for (QuietestSpeed& look : looks) {
+      look.limit = limitOf(at(look.speed));
+      if (look.limit >= kClearOfLimit * request_.depth) return look;
+    }
+    return std::nullopt;
   }
 
   double removal(Rpm speed) const {
@@ -91,13 +140,17 @@ class Adviser {
   }
 
   std::optional<LargestStableDepth> deepest(const LobeSweep& sweep) const {
-    std::optional<LargestStableDepth> best;
-    for (const SpeedLimits& limits : sweep.speeds) {
-      if (!limits.hasLimit()) continue;
-      const StabilityLimit& l = limits.crossings.front();
-      if (!best || l.depth > best->depth) best = LargestStableDepth{l.speed, l.depth, l.frequency};
+    const auto& s = sweep.speeds;
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (s[i].hasLimit() && (!best || limitOf(s[i]) > limitOf(s[*best]))) best = i;
     }
-    return best;
+    if (!best) return std::nullopt;
+    const Rpm speed =
+        climbed(s[*best].speed, s[*best > 0 ? *best - 1 : 0].speed, s[std::min(*best + 1, s.size() - 1)].speed);
+    const SpeedLimits limits = at(speed);
+    const StabilityLimit& l = limits.hasLimit() ? limits.crossings.front() : s[*best].crossings.front();
+    return LargestStableDepth{l.speed, l.depth, l.frequency};
   }
 
   const CutModel& model_;
@@ -110,6 +163,20 @@ class Adviser {
 // Spindle speed at which the edge runs at `cuttingSpeed` [m/min].
 Rpm speedLimitOfTool(const Tool& tool, double cuttingSpeed) {
   return Rpm(cuttingSpeed / (std::numbers::pi * tool.diameter.value));
+}
+
+// Close enough that no lobe of the fastest mode falls between two.
+std::vector<Rpm> speedsToLookAt(const CutModel& model, Rpm lowest, Rpm highest, int steps) {
+  double fastest = 0.0;
+  for (const Mode& m : model.modes) fastest = std::max(fastest, m.frequency.value);
+  const Rpm even = (highest - lowest) / static_cast<double>(steps);
+  std::vector<Rpm> speeds{lowest};
+  while (speeds.back() < highest && speeds.size() < kMostSteps) {
+    const Rpm at = speeds.back();
+    const double waves = fastest / toothPassing(at, model.tool.teeth).value;
+    speeds.push_back(std::min(highest, at + std::min(even, at * (kWaveStep / std::max(waves, kWaveStep)))));
+  }
+  return speeds;
 }
 
 }  // namespace
@@ -137,13 +204,16 @@ Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& req
     return Error{where, capped ? message("the tool's cutting speed lies below the speed range")
                                : message("the speed range is empty")};
   }
-  const Result<std::vector<Rpm>> speeds =
-      speedSteps(request.lowest, highest, (highest - request.lowest) / static_cast<double>(request.steps), where);
-  if (!speeds) return speeds.error();
+  if (Status ok = lobes->checkSpeed(request.lowest); !ok) return ok.error();
+  const std::vector<Rpm> speeds = speedsToLookAt(model, request.lowest, highest, request.steps);
+  if (speeds.back() < highest) {
+    return Error{where, message("the speed range holds more lobes than can be looked at"),
+                 message("raise the lowest speed")};
+  }
   SweepOptions options;
   options.limits = {kDepthSearched * request.depth, true, true, {}};
   options.threads = request.threads;
-  Result<LobeSweep> sweep = sweepLobes(model, speeds.value(), options, where, stop);
+  Result<LobeSweep> sweep = sweepLobes(model, speeds, options, where, stop);
   if (!sweep) return sweep.error();
   SpeedAdvice advice;
   if (sweep->finished) advice = Adviser(model, request, lobes.value(), stop).run(sweep.value());

@@ -10,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/milling/stability/exact_lobes.h"
+#include "core/milling/stability/forced_vibration.h"
 
 namespace stillcut::milling {
 
@@ -18,7 +19,8 @@ struct AdviceRequest {
   Rpm lowest{}, highest{};             // what the machine allows
   Metres feedPerTooth{};               // for the removal rate; 0: none is given
   std::optional<double> cuttingSpeed;  // largest of the tool [m/min]; speeds above it are no advice
-  int steps = 200;                     // speeds looked at before the edges are refined, 8 .. 5000
+  int steps = 200;                     // speeds looked at before the edges are refined, 8 .. 5000; more where
+                                       // the lobes are narrow
   int threads = 2;
 };
 
@@ -27,13 +29,23 @@ struct PocketEdge {
   Hertz frequency{};  // chatter frequency met there; 0 where the range ends before the pocket does
 };
 
+// A stable cut can be loud: where a tooth harmonic meets a mode.
+struct QuietestSpeed {
+  Rpm speed{};
+  Metres limit{};  // at least a tenth above the depth asked for
+  ForcedVibration forced{};
+};
+
 struct SpeedPocket {
   PocketEdge from, to;
-  Rpm best{};            // the speed with the largest limiting depth inside
+  Rpm best{};            // the speed with the largest limiting depth inside, to 1 rev/min
   Metres limit{};        // limiting depth there; the largest one searched (4 x depth) where nothing limits it
   double margin = 0.0;   // limit/depth - 1 at `best`
   double width = 0.0;    // how far the speed may be off at `best`, smaller side, as a share of it
   double removal = 0.0;  // at `best`: depth x width of cut x feed [m^3/s]; 0 without a feed
+  // With a feed and teeth that are alike: at `best`, and where in the pocket the forced vibration is least.
+  std::optional<ForcedVibration> forced{};
+  std::optional<QuietestSpeed> quietest{};
 };
 
 struct LargestStableDepth {

@@ -61,6 +61,7 @@ class CellMap {
     Real free = Real::Zero(n, n);
     Inject in = Inject::Zero(n, A);
     observe_ = Observe::Zero(A, n);
+    Observe moving = Observe::Zero(A, n);  // the tip's velocity
     for (Eigen::Index i = 0; i < n / 2; ++i) {
       const auto& o = system.oscillators[static_cast<std::size_t>(i)];
       free(2 * i, 2 * i + 1) = o.omega;
@@ -69,6 +70,7 @@ class CellMap {
       for (Eigen::Index a = 0; a < A; ++a) {
         in(2 * i + 1, a) = o.toTip[static_cast<std::size_t>(a)] / (o.mass * o.omega);
         observe_(a, 2 * i) = o.toTip[static_cast<std::size_t>(a)];
+        moving(a, 2 * i + 1) = o.toTip[static_cast<std::size_t>(a)] * o.omega;
       }
     }
     const double dt = system.toothPeriod(speed) / cells;
@@ -76,18 +78,20 @@ class CellMap {
     cells_.reserve(static_cast<std::size_t>(cells));
     const double cube = std::pow(static_cast<double>(n), 3);
     for (int i = 0; i < cells && meter.proceed(100.0 + 60.0 * cube); ++i) {
-      const Planar h = system.mean(system.toothAngle * i / cells, system.toothAngle * (i + 1) / cells);
-      Planar2 force;
-      for (int r = 0; r < A; ++r) {
-        for (int c = 0; c < A; ++c) force(r, c) = h[static_cast<std::size_t>(2 * r + c)];
-      }
+      const double from = system.toothAngle * i / cells, to = system.toothAngle * (i + 1) / cells;
+      const Planar2 force = square(system.mean(from, to));
       Cell cell{!force.isZero(0.0), air.phi0, Inject::Zero(n, A), Inject::Zero(n, A), Planar2::Zero()};
       if (!cell.cutting) {
         cells_.push_back(cell);
         continue;
       }
       const Inject push = depth * in * force;
-      const PhiFunctions<Real> phi((free - push * observe_) * dt);
+      Real bound = free - push * observe_;
+      if (!system.damping.empty()) {
+        const double perSpeed = system.toothPeriod(speed) / system.toothAngle;  // 1/Omega
+        bound -= depth * perSpeed * in * square(system.meanDamping(from, to)) * moving;
+      }
+      const PhiFunctions<Real> phi(bound * dt);
       cell.p = phi.phi0;
       if (order == 0) {
         cell.r1 = 0.5 * dt * phi.phi1 * push;
@@ -99,6 +103,14 @@ class CellMap {
       cell.echo = observe_ * cell.r1;
       cells_.push_back(cell);
     }
+  }
+
+  static Planar2 square(const Planar& h) {
+    Planar2 m;
+    for (int r = 0; r < A; ++r) {
+      for (int c = 0; c < A; ++c) m(r, c) = h[static_cast<std::size_t>(2 * r + c)];
+    }
+    return m;
   }
 
   Eigen::Index states() const { return observe_.cols(); }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/milling/stability/any_tool/circle_surface.h"
 #include "core/milling/stability/argument_principle.h"
 
 namespace stillcut::milling {
@@ -40,9 +41,18 @@ double smallestStretch(Complex u, Complex v) {
   return largest2 > 0.0 ? std::abs(det) / std::sqrt(largest2) : 0.0;
 }
 
+CircleValue valueOf(const Characteristic& f, double angle, double depth) {
+  return onCircle(f, angle, depth);
+}
+
+CircleValue valueOf(const CircleSurface& f, double angle, double depth) {
+  return f.at(angle, depth);
+}
+
+template <class Function>
 class Search {
  public:
-  Search(const Characteristic& f, const ThetaDepthBox& box, double caution, WorkMeter& meter)
+  Search(const Function& f, const ThetaDepthBox& box, double caution, WorkMeter& meter)
       : f_(f), box_(box), caution_(caution), meter_(meter) {}
 
   std::optional<std::vector<CircleCrossing>> run() {
@@ -61,7 +71,7 @@ class Search {
 
  private:
   void visit(const Cell& cell) {
-    const CircleValue v = onCircle(f_, cell.angle, cell.depth);
+    const CircleValue v = valueOf(f_, cell.angle, cell.depth);
     const double byAngle = std::abs(v.fa) * cell.a;
     const double byDepth = std::abs(v.fw) * cell.w;
     const double curveA = 0.5 * std::abs(v.faa) * cell.a * cell.a;
@@ -93,7 +103,7 @@ class Search {
     double angle = cell.angle;
     double depth = cell.depth;
     for (int i = 0; i < 12 && meter_.proceed(f_.effort()); ++i) {
-      const CircleValue v = onCircle(f_, angle, depth);
+      const CircleValue v = valueOf(f_, angle, depth);
       double da = 0.0;
       double dw = 0.0;
       if (!newtonStep(v.f, v.fa, v.fw, da, dw)) return;
@@ -112,14 +122,14 @@ class Search {
     for (const CircleCrossing& c : found_) {
       if (std::abs(c.angle - angle) < 1e-8 && std::abs(c.depth - depth) < 1e-8 * box_.depth1) return;
     }
-    const CircleValue v = onCircle(f_, angle, depth);
+    const CircleValue v = valueOf(f_, angle, depth);
     // Along the branch mu(w) = exp(i (theta + i eta)): f_a (theta' + i eta') + f_w = 0 and |mu| = exp(-eta), f being
     // analytic in theta.
     const Complex slope = -v.fw / v.fa;
     found_.push_back({angle, depth, -slope.imag(), v.fa, v.fw});
   }
 
-  const Characteristic& f_;
+  const Function& f_;
   ThetaDepthBox box_;
   double caution_;
   WorkMeter& meter_;
@@ -130,6 +140,20 @@ class Search {
 Complex circleValue(const Characteristic& f, double angle, double depth) {
   const Complex mu = std::polar(1.0, angle);
   return f.valueAt(mu, depth * (1.0 - std::conj(mu)));
+}
+
+Complex circleValue(const CircleSurface& f, double angle, double depth) {
+  return f.valueAt(angle, depth);
+}
+
+template <class Function>
+double changeAlong(const Function& f, double depth, double a, double b, WorkMeter& meter) {
+  const int pieces = 1 + static_cast<int>((5 + 2 * f.states()) * (b - a) / kPi);
+  const auto value = [&](double angle) -> Complex {
+    if (!meter.proceed(f.effort() / 3.0)) return std::numeric_limits<double>::quiet_NaN();
+    return circleValue(f, angle, depth);
+  };
+  return argumentChange(value, a, b, pieces);
 }
 
 }  // namespace
@@ -154,16 +178,20 @@ CircleValue onCircle(const Characteristic& characteristic, double angle, double 
 
 std::optional<std::vector<CircleCrossing>> findCrossings(const Characteristic& characteristic, const ThetaDepthBox& box,
                                                          double caution, WorkMeter& meter) {
-  return Search(characteristic, box, caution, meter).run();
+  return Search<Characteristic>(characteristic, box, caution, meter).run();
+}
+
+std::optional<std::vector<CircleCrossing>> findCrossings(const CircleSurface& surface, const ThetaDepthBox& box,
+                                                         double caution, WorkMeter& meter) {
+  return Search<CircleSurface>(surface, box, caution, meter).run();
 }
 
 double argumentChange(const Characteristic& characteristic, double depth, double a, double b, WorkMeter& meter) {
-  const int pieces = 1 + static_cast<int>((5 + 2 * characteristic.states()) * (b - a) / kPi);
-  const auto value = [&](double angle) -> Complex {
-    if (!meter.proceed(characteristic.effort() / 3.0)) return std::numeric_limits<double>::quiet_NaN();
-    return circleValue(characteristic, angle, depth);
-  };
-  return argumentChange(value, a, b, pieces);
+  return changeAlong(characteristic, depth, a, b, meter);
+}
+
+double argumentChange(const CircleSurface& surface, double depth, double a, double b, WorkMeter& meter) {
+  return changeAlong(surface, depth, a, b, meter);
 }
 
 }  // namespace stillcut::milling

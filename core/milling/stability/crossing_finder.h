@@ -29,9 +29,14 @@ struct CircleValue {
 };
 CircleValue onCircle(const Characteristic& characteristic, double angle, double depth);
 
+class CircleSurface;
+
 // `caution` multiplies the bound on what the second-order terms leave out; 1 is usual, larger is slower and surer.
 // Empty when stopped, or when the box needs more cells than any cut seen so far by far: f is then lost in its noise.
 std::optional<std::vector<CircleCrossing>> findCrossings(const Characteristic& characteristic, const ThetaDepthBox& box,
+                                                         double caution, WorkMeter& meter);
+
+std::optional<std::vector<CircleCrossing>> findCrossings(const CircleSurface& surface, const ThetaDepthBox& box,
                                                          double caution, WorkMeter& meter);
 
 // Change of arg f along the circle from angle a to b at a depth [rad]; NaN when a multiplier sits on the circle to
@@ -39,5 +44,6 @@ std::optional<std::vector<CircleCrossing>> findCrossings(const Characteristic& c
 // infinity) the number of multipliers outside is states - change(0, pi)/pi, the lower half circle mirroring the upper
 // one.
 double argumentChange(const Characteristic& characteristic, double depth, double a, double b, WorkMeter& meter);
+double argumentChange(const CircleSurface& surface, double depth, double a, double b, WorkMeter& meter);
 
 }  // namespace stillcut::milling

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/milling/stability/any_tool/alike_teeth.h"
+#include "core/milling/stability/any_tool/depth_search.h"
+#include "core/milling/stability/any_tool/unlike_teeth.h"
 #include "core/milling/stability/limit_search.h"
 
 namespace stillcut::milling {
@@ -11,6 +14,7 @@ namespace stillcut::milling {
 namespace {
 
 constexpr double kHighestSpeed = 1e6;  // [rpm]
+constexpr int kMostLines = 200;        // of the harmonics of unlike teeth
 constexpr double kMostWaves = 1000.0;  // vibration periods of the fastest mode between two teeth
 
 std::string number(double v) {
@@ -22,6 +26,7 @@ std::string number(double v) {
 }  // namespace
 
 const char* crossingName(CrossingKind kind) {
+  if (kind == CrossingKind::Fold) return "fold";
   return kind == CrossingKind::Flip ? "flip" : "hopf";
 }
 
@@ -37,7 +42,7 @@ int SpeedLimits::outsideAt(Metres depth) const {
 Result<ExactLobes> ExactLobes::make(const CutModel& model, const std::string& where) {
   Result<RegenerativeSystem> system = makeRegenerativeSystem(model, where);
   if (!system) return system.error();
-  return ExactLobes(std::move(system.value()), neglectedEffects(model));
+  return ExactLobes(model, std::move(system.value()));
 }
 
 Status ExactLobes::checkSpeed(Rpm speed) const {
@@ -49,6 +54,21 @@ Status ExactLobes::checkSpeed(Rpm speed) const {
   if (waves > kMostWaves) {
     return Error{message("spindle speed"), message("%1 rpm is too low for these modes", number(speed.value)),
                  message("the fastest mode swings %1 times between two teeth", number(std::round(waves)))};
+  }
+  return Done{};
+}
+
+Status ExactLobes::checkPattern(Rpm speed, Metres largest) const {
+  if (!(largest < pattern_.meeting())) {
+    return Error{message("tool"),
+                 message("the edges of two teeth meet at %1 mm", number(1e3 * pattern_.meeting().value)),
+                 message("take a smaller depth or other helix angles")};
+  }
+  const int lines = UnlikeTeeth(model_, pattern_, speed).lines(Fineness::Rough);
+  if (lines > kMostLines) {
+    return Error{message("spindle speed"), message("%1 rpm is too low for teeth that differ", number(speed.value)),
+                 message("%1 spectral lines would be needed; %2 are possible", std::to_string(lines),
+                         std::to_string(kMostLines))};
   }
   return Done{};
 }
@@ -67,7 +87,12 @@ Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, c
 Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, WorkMeter& meter) const {
   if (Status ok = checkSpeed(speed); !ok) return ok.error();
   if (Status ok = checkDepth(options.maxAxialDepth); !ok) return ok.error();
-  return LimitSearch(system_, speed, options, meter).run();
+  if (pattern_.alike && pattern_.straight && model_.material.processDamping == 0.0) {
+    return LimitSearch(system_, speed, options, meter).run();
+  }
+  if (pattern_.alike) return DepthSearch(AlikeTeeth(model_, speed), speed, options, meter).run();
+  if (Status ok = checkPattern(speed, options.maxAxialDepth); !ok) return ok.error();
+  return DepthSearch(UnlikeTeeth(model_, pattern_, speed), speed, options, meter).run();
 }
 
 }  // namespace stillcut::milling

@@ -3,7 +3,8 @@
 // equation (transition_matrix.h); its characteristic function is expanded once per speed (characteristic.h), all zeros
 // on the circle are found without scanning the depth (crossing_finder.h), the argument principle checks their number,
 // and Newton on the accurate transition matrix refines each. With a regular pitch no multiplier can cross at +1: there
-// the delayed force vanishes and the free structure decays.
+// the delayed force vanishes and the free structure decays. Helix and process damping make the depth more than a
+// factor, an uneven pitch makes several delays: then depth_search.h does the same on a CircleFunction.
 //
 // Thread: const members may be called from any number of threads. Allocates; not for the sample path.
 #pragma once
@@ -14,6 +15,7 @@
 
 #include "core/base/result.h"
 #include "core/base/units.h"
+#include "core/milling/stability/any_tool/tooth_pattern.h"
 #include "core/milling/stability/regenerative_system.h"
 #include "core/milling/stability/work_meter.h"
 
@@ -22,8 +24,9 @@ namespace stillcut::milling {
 enum class CrossingKind {
   Hopf,  // a pair leaves at exp(+-i theta): quasi-periodic chatter
   Flip,  // one leaves at -1: period doubling
+  Fold,  // one leaves at +1, which takes an uneven pitch: the cut drifts away with the spindle's own period
 };
-const char* crossingName(CrossingKind kind);  // "hopf", "flip"
+const char* crossingName(CrossingKind kind);  // "hopf", "flip", "fold"
 
 struct StabilityLimit {
   Rpm speed{};
@@ -66,16 +69,20 @@ class ExactLobes {
   Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop = {}) const;
   Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, WorkMeter& meter) const;
 
+  // With straight teeth of the mean pitch and without process damping.
   const RegenerativeSystem& system() const { return system_; }
-  // Effects of the model that the linear cut leaves out, for the reader of the result.
-  const std::vector<Message>& neglected() const { return neglected_; }
+  const CutModel& model() const { return model_; }
+  const ToothPattern& pattern() const { return pattern_; }
 
  private:
-  ExactLobes(RegenerativeSystem system, std::vector<Message> neglected)
-      : system_(std::move(system)), neglected_(std::move(neglected)) {}
+  ExactLobes(CutModel model, RegenerativeSystem system)
+      : model_(std::move(model)), pattern_(toothPattern(model_.tool)), system_(std::move(system)) {}
 
+  Status checkPattern(Rpm speed, Metres largest) const;
+
+  CutModel model_;
+  ToothPattern pattern_;
   RegenerativeSystem system_;
-  std::vector<Message> neglected_;
 };
 
 }  // namespace stillcut::milling

@@ -1,12 +1,10 @@
 #include "core/milling/stability/limit_search.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
-#include "core/milling/stability/dominant_line.h"
+#include "core/milling/stability/any_tool/tooth_chatter.h"
 
 namespace stillcut::milling {
 
@@ -97,7 +95,8 @@ SpeedLimits LimitSearch::run() {
   if (limits_.searchedTo.value < top && !(options_.firstOnly && limits_.hasLimit())) limits_.verified = false;
   if (options_.firstOnly && limits_.crossings.size() > 1) limits_.crossings.resize(1);
   if (options_.frequencies) {
-    for (StabilityLimit& l : limits_.crossings) l.frequency = chatterFrequency(l.angle.value, l.depth.value);
+    for (StabilityLimit& l : limits_.crossings)
+      l.frequency = toothChatter(system_, *rough_, l.angle.value, l.depth.value, meter_);
   }
   return std::move(limits_);
 }
@@ -199,28 +198,6 @@ void LimitSearch::append(std::vector<CircleCrossing>& crossings) {
     limit.after = outside_;
     limits_.crossings.push_back(limit);
   }
-}
-
-// The motion on the circle is exp(i theta t/tau) times a periodic function; its largest Fourier line is what is heard.
-Hertz LimitSearch::chatterFrequency(double angle, double depth) const {
-  const int n = fine_->states();
-  const Complex mu = std::polar(1.0, angle);
-  const Complex s = depth * (1.0 - std::conj(mu));
-  Eigen::MatrixXcd psi(n, n);
-  if (!rough_->evaluate(std::span(&s, 1), std::span(psi.data(), static_cast<std::size_t>(psi.size())), meter_)) {
-    return Hertz(0.0);
-  }
-  psi.diagonal().array() -= mu * (1.0 + 1e-9);
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(psi);
-  Eigen::VectorXcd state = Eigen::VectorXcd::Ones(n);
-  for (int i = 0; i < 3; ++i) state = lu.solve(state).normalized();
-  if (!state.allFinite()) return Hertz(0.0);
-
-  const double period = rough_->toothPeriod();
-  const int lines = 2 + static_cast<int>(1.5 * system_.highestOmega() / kTwoPi * period);
-  const auto samples = static_cast<int>(std::bit_ceil(32U * static_cast<unsigned>(lines)));
-  const auto motion = rough_->tipMotion(s, std::span(state.data(), static_cast<std::size_t>(n)), samples, meter_);
-  return dominantLine(motion, angle, period, lines, meter_);
 }
 
 }  // namespace stillcut::milling

@@ -32,7 +32,6 @@ class LimitSearch {
   void append(std::vector<CircleCrossing>& crossings);
   double growthAt(double depth) const;
   std::optional<Characteristic> expandTo(double depth);
-  Hertz chatterFrequency(double angle, double depth) const;
 
   const RegenerativeSystem& system_;
   LimitOptions options_;

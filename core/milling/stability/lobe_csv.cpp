@@ -8,28 +8,38 @@
 
 namespace stillcut::milling {
 
-std::string lobeCsv(const LobeSweep& sweep) {
-  std::string csv = "speed_rpm,crossing,depth_mm,before,after,kind,frequency_hz\n";
+std::string lobeCsv(const LobeSweep& sweep, std::span<const LimitBand> bands) {
+  std::string csv = "speed_rpm,crossing,depth_mm,before,after,kind,frequency_hz";
+  csv += bands.empty() ? "\n" : ",depth_low_mm,depth_high_mm\n";
   char line[200];
-  for (const SpeedLimits& limits : sweep.speeds) {
+  for (std::size_t k = 0; k < sweep.speeds.size(); ++k) {
+    const SpeedLimits& limits = sweep.speeds[k];
+    std::string band;
+    if (k < bands.size()) {
+      std::snprintf(line, sizeof line, ",%.6g,%.6g", 1e3 * bands[k].low.value, 1e3 * bands[k].high.value);
+      band = line;
+    }
     if (!limits.hasLimit()) {
-      std::snprintf(line, sizeof line, "%.12g,0,,0,0,%s,\n", limits.speed.value,
+      std::snprintf(line, sizeof line, "%.12g,0,,0,0,%s,", limits.speed.value,
                     sweep.complete(limits) ? "none" : "unknown");
-      csv += line;
+      csv += line + band + "\n";
     }
     for (const StabilityLimit& l : limits.crossings) {
-      std::snprintf(line, sizeof line, "%.12g,%d,%.12g,%d,%d,%s,%.9g\n", l.speed.value, l.crossing, 1e3 * l.depth.value,
+      std::snprintf(line, sizeof line, "%.12g,%d,%.12g,%d,%d,%s,%.9g", l.speed.value, l.crossing, 1e3 * l.depth.value,
                     l.before, l.after, crossingName(l.kind), l.frequency.value);
       csv += line;
+      if (!band.empty()) csv += l.crossing == 0 ? band : ",,";
+      csv += "\n";
     }
   }
   return csv;
 }
 
-std::string lobeJson(const LobeSweep& sweep, const std::string& name) {
+std::string lobeJson(const LobeSweep& sweep, const std::string& name, std::span<const LimitBand> bands) {
   using nlohmann::json;
   json speeds = json::array();
-  for (const SpeedLimits& limits : sweep.speeds) {
+  for (std::size_t k = 0; k < sweep.speeds.size(); ++k) {
+    const SpeedLimits& limits = sweep.speeds[k];
     json crossings = json::array();
     for (const StabilityLimit& l : limits.crossings) {
       crossings.push_back({{"depth_mm", 1e3 * l.depth.value},
@@ -42,6 +52,7 @@ std::string lobeJson(const LobeSweep& sweep, const std::string& name) {
                       {"searched_to_mm", 1e3 * limits.searchedTo.value},
                       {"verified", limits.verified},
                       {"crossings", std::move(crossings)}});
+    if (k < bands.size()) speeds.back()["band_mm"] = {1e3 * bands[k].low.value, 1e3 * bands[k].high.value};
   }
   json warnings = json::array();
   for (const Message& warning : sweep.warnings) warnings.push_back(text(warning));
@@ -77,8 +88,8 @@ std::vector<std::string> lobeSummary(const LobeSweep& sweep) {
   return lines;
 }
 
-Status saveLobeCsv(const LobeSweep& sweep, const std::string& path) {
-  return writeFileAtomically(path, lobeCsv(sweep));
+Status saveLobeCsv(const LobeSweep& sweep, const std::string& path, std::span<const LimitBand> bands) {
+  return writeFileAtomically(path, lobeCsv(sweep, bands));
 }
 
 }  // namespace stillcut::milling

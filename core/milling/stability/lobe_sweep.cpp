@@ -91,9 +91,18 @@ Result<LobeSweep> sweepWith(const SolveOne& solve, std::span<const Rpm> speeds, 
   return sweep;
 }
 
-Message neglectedWarning(const CutModel& model) {
-  const std::vector<Message> effects = neglectedEffects(model);
-  return effects.empty() ? Message() : message("left out: %1", effects);
+// A vibration needs several cells a wave, or the scheme sees another one.
+Message coarseCells(const CutModel& model, std::span<const Rpm> speeds, const SdmOptions& sdm) {
+  constexpr double kCellsPerWave = 6.0;
+  double fastest = 0.0;
+  for (const Mode& m : model.modes) fastest = std::max(fastest, m.frequency.value);
+  const Rpm slowest = *std::min_element(speeds.begin(), speeds.end());
+  const double waves = fastest / toothPassing(slowest, model.tool.teeth).value;
+  const double wanted = std::ceil(kCellsPerWave * waves);
+  if (!(wanted > sdm.cells)) return {};
+  const double from = slowest.value * wanted / sdm.cells;
+  return message("semi-discretization with %1 cells is too coarse below %2 rpm: take %3 or more, or the exact method",
+                 std::to_string(sdm.cells), std::to_string(std::lround(from)), std::to_string(std::lround(wanted)));
 }
 
 }  // namespace
@@ -103,7 +112,6 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
   if (speeds.empty()) return Error{where, message("no spindle speed is given")};
   if (Status ok = ExactLobes::checkDepth(options.limits.maxAxialDepth); !ok) return ok.error();
   std::vector<Message> warnings;
-  if (Message left = neglectedWarning(model); !left.empty()) warnings.push_back(std::move(left));
   switch (options.method) {
     case LobeMethod::Exact: {
       const Result<ExactLobes> lobes = ExactLobes::make(model, where);
@@ -118,6 +126,7 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
     case LobeMethod::SemiDiscretization: {
       const Result<SemiDiscretization> sdm = SemiDiscretization::make(model, options.sdm, where);
       if (!sdm) return sdm.error();
+      if (Message coarse = coarseCells(model, speeds, options.sdm); !coarse.empty()) warnings.push_back(coarse);
       const SolveOne solve = [&](Rpm speed, Metres) {
         return sdm->limit(speed, options.limits.maxAxialDepth, 80, stop);
       };
@@ -129,6 +138,9 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
   const Result<ZerothOrder> zoa = ZerothOrder::make(model, where);
   if (!zoa) return zoa.error();
   warnings.push_back(zoa->warning());
+  if (model.material.processDamping != 0.0) {
+    warnings.push_back(message("the zeroth order leaves out process damping: its limits at low speed are too low"));
+  }
   const SolveOne solve = [&](Rpm speed, Metres) { return zoa->limit(speed, options.limits.maxAxialDepth, stop); };
   return sweepWith(solve, speeds, options, stop, std::move(warnings));
 }

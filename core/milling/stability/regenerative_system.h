@@ -4,7 +4,9 @@
 //   force:  F = -w H(phi) (x(t) - x(t - tau)),  H = sum over the teeth in the cut of the directional matrix
 // With h = x sin(phi) + y cos(phi), F_t = K_t w h, F_r = K_r w h (van Dijk 2010 eq. 1-4):
 //   H = [ (K_t c + K_r s) s, (K_t c + K_r s) c ; (K_r c - K_t s) s, (K_r c - K_t s) c ]
-// so that H(phi) = steady + cosine cos(2 phi) + sine sin(2 phi) wherever the same teeth cut.
+// so that H(phi) = steady + cosine cos(2 phi) + sine sin(2 phi) wherever the same teeth cut. With a helix H is the mean
+// over the depth, whose edges trail behind the tip by up to lag = w tan(helix)/R, and has a part linear in phi.
+// Process damping adds -(w/Omega) D(phi) x'(t) with D = (c/R) [s s, s c; s c, c c], Omega [rad/s].
 // Where all modes move along one direction the problem is projected on it and `axes` is 1.
 // Pure: any thread; set-up, not real-time.
 #pragma once
@@ -25,7 +27,7 @@ struct ForceInterval {
   double from = 0.0;  // [rad]
   double to = 0.0;    // [rad]
   bool cutting = false;
-  Planar steady{}, cosine{}, sine{};  // [N/m^2]
+  Planar steady{}, slope{}, cosine{}, sine{};  // [N/m^2], slope [N/m^2/rad]
 
   Planar at(double angle) const;
   // Integral of H over [a, b] inside the arc [N/m^2 rad].
@@ -43,6 +45,8 @@ struct RegenerativeSystem {
   std::array<double, 2> direction{1.0};  // of the single axis, when axes is 1
   std::vector<Oscillator> oscillators;
   std::vector<ForceInterval> intervals;  // cover [0, toothAngle) in order
+  std::vector<ForceInterval> damping;    // D [N/m^2] over the same stretches; empty: no process damping
+  double depth = 0.0;                    // [m] that lag and damping are for
   double toothAngle = 0.0;               // 2 pi / teeth
   int teeth = 0;
 
@@ -53,17 +57,17 @@ struct RegenerativeSystem {
   double stiffening() const;
   // Mean of H over [a, b], which may reach over several arcs but lies in [0, toothAngle].
   Planar mean(double a, double b) const;
+  Planar meanDamping(double a, double b) const;  // the same of D
 };
 
-// Refuses what check() refuses, and what these methods do not cover: a variable pitch, a force that is not
-// proportional to the chip thickness. Helix, runout, edge forces and process damping are left out of the linear cut;
-// `neglected` of the result of a method names them.
-Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const std::string& where);
+// For tools whose teeth are alike, as they are at `depth`; for others the mean pitch stands for theirs. Refuses what
+// check() refuses, and a force that is not proportional to the chip thickness. Runout and edge forces do not change the
+// linear cut.
+Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const std::string& where, Metres depth = {});
+// The same for a model that has been made into a system before.
+RegenerativeSystem systemAt(const CutModel& model, Metres depth);
 
 // Share of the tooth period during which at least one tooth cuts, 0..1.
 double cuttingFraction(const RegenerativeSystem& system);
-
-// What of the model the linear cut leaves out, in words; empty when nothing.
-std::vector<Message> neglectedEffects(const CutModel& model);
 
 }  // namespace stillcut::milling

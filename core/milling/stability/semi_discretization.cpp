@@ -16,8 +16,9 @@ constexpr double kPi = std::numbers::pi;
 
 // Calls `use` with the cell map of the right size.
 template <class Use>
-auto withMap(const RegenerativeSystem& system, Rpm speed, double depth, const SdmOptions& options, WorkMeter& meter,
+auto withMap(const ExactLobes& lobes, Rpm speed, double depth, const SdmOptions& options, WorkMeter& meter,
              const Use& use) {
+  const RegenerativeSystem system = systemAt(lobes.model(), Metres(depth));
   const auto run = [&]<int N, int A>() {
     return use(CellMap<N, A>(system, speed, depth, options.cells, options.order, meter));
   };
@@ -42,8 +43,8 @@ struct CirclePoint {
 
 class SdmRoot {
  public:
-  SdmRoot(const RegenerativeSystem& system, Rpm speed, const SdmOptions& options, WorkMeter& meter)
-      : system_(system), speed_(speed), options_(options), meter_(meter) {}
+  SdmRoot(const ExactLobes& lobes, Rpm speed, const SdmOptions& options, WorkMeter& meter)
+      : lobes_(lobes), speed_(speed), options_(options), meter_(meter) {}
 
   // Narrows [stable, unstable] to a thousandth, then Newton in (theta, w); bisection to the end where that leaves the
   // bracket.
@@ -63,19 +64,19 @@ class SdmRoot {
 
  private:
   std::complex<double> value(double angle, double depth) const {
-    return withMap(system_, speed_, depth, options_, meter_,
+    return withMap(lobes_, speed_, depth, options_, meter_,
                    [&](const auto& map) { return map.characteristic(std::polar(1.0, angle)); });
   }
 
   void halve(double& low, double& high) const {
     const double middle = 0.5 * (low + high);
     const auto outside =
-        withMap(system_, speed_, middle, options_, meter_, [](const auto& map) { return countOutside(map); });
+        withMap(lobes_, speed_, middle, options_, meter_, [](const auto& map) { return countOutside(map); });
     (outside.value_or(1) > 0 ? high : low) = middle;
   }
 
   double closestAngle(double depth) const {
-    return withMap(system_, speed_, depth, options_, meter_, [](const auto& map) {
+    return withMap(lobes_, speed_, depth, options_, meter_, [](const auto& map) {
       double best = 0.0;
       double smallest = std::numeric_limits<double>::infinity();
       for (int i = 0; i <= 180; ++i) {
@@ -107,7 +108,7 @@ class SdmRoot {
     return std::nullopt;
   }
 
-  const RegenerativeSystem& system_;
+  const ExactLobes& lobes_;
   Rpm speed_;
   SdmOptions options_;
   WorkMeter& meter_;
@@ -125,6 +126,10 @@ Result<SemiDiscretization> SemiDiscretization::make(const CutModel& model, const
   }
   Result<ExactLobes> lobes = ExactLobes::make(model, where);
   if (!lobes) return lobes.error();
+  if (!lobes->pattern().alike) {
+    return Error{where + ": tool", message("semi-discretization needs teeth of one pitch and one helix"),
+                 message("the exact method takes any")};
+  }
   return SemiDiscretization(std::move(lobes.value()), options);
 }
 
@@ -134,8 +139,7 @@ std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth) const {
 }
 
 std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth, WorkMeter& meter) const {
-  return withMap(lobes_.system(), speed, depth.value, options_, meter,
-                 [](const auto& map) { return countOutside(map); });
+  return withMap(lobes_, speed, depth.value, options_, meter, [](const auto& map) { return countOutside(map); });
 }
 
 Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxAxialDepth, int scan,
@@ -155,7 +159,7 @@ Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxAxialDepth, i
     if (meter.stopped()) return result;
     if (!count || *count != 0) {
       const double below = maxAxialDepth.value * (i - 1) / scan;
-      const CirclePoint root = SdmRoot(lobes_.system(), speed, options_, meter).find(below, depth);
+      const CirclePoint root = SdmRoot(lobes_, speed, options_, meter).find(below, depth);
       if (!meter.stopped()) result.crossings.push_back(limitAt(speed, root.angle, root.depth, meter));
     }
     if (meter.stopped()) return result;
@@ -174,7 +178,7 @@ StabilityLimit SemiDiscretization::limitAt(Rpm speed, double rootAngle, double d
   limit.kind = kPi - angle < 1e-6 ? CrossingKind::Flip : CrossingKind::Hopf;
   limit.angle = Radians(angle);
   limit.after = limit.kind == CrossingKind::Flip ? 1 : 2;
-  limit.frequency = withMap(lobes_.system(), speed, depth, options_, meter, [&](const auto& map) {
+  limit.frequency = withMap(lobes_, speed, depth, options_, meter, [&](const auto& map) {
     return dominantLine(map.tipMotion(std::polar(1.0, angle)), angle, lobes_.system().toothPeriod(speed),
                         std::max(1, options_.cells / 2 - 1), meter);
   });

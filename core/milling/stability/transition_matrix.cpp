@@ -1,28 +1,40 @@
 #include "core/milling/stability/transition_matrix.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stillcut::milling {
 
 namespace {
 
-// Blanes and Moan, order 6, 11 stages: kicks 12 (outer), free motions 11, both symmetric.
-constexpr std::size_t kStages = 11;
-constexpr std::array<double, 5> kKick{0.0414649985182624, 0.198128671918067, -0.0400061921041533, 0.0752539843015807,
-                                      -0.0115113874206879};
-constexpr std::array<double, 5> kMove{0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075,
-                                      0.357208872795928};
+// A splitting: `kicks` and `moves` alternate, kicks outermost, both symmetric; each list holds its first half, the
+// middle one follows from the sum, which is 1.
+struct Splitting {
+  std::span<const double> kicks, moves;
+  std::size_t stages;  // moves; there is one kick more
+};
 
-double kickWeight(std::size_t j) {  // j = 0 .. 11
-  const std::size_t i = std::min(j, kStages - j);
-  return i < 5 ? kKick[i] : 0.5 - (kKick[0] + kKick[1] + kKick[2] + kKick[3] + kKick[4]);
+double weightOf(std::span<const double> half, std::size_t i, std::size_t count) {
+  const std::size_t mirrored = std::min(i, count - 1 - i);
+  if (mirrored < half.size()) return half[mirrored];
+  double sum = 0.0;
+  for (double v : half) sum += v;
+  return count % 2 == 1 ? 1.0 - 2.0 * sum : 0.5 - sum;
 }
 
-double moveWeight(std::size_t j) {  // j = 0 .. 10
-  const std::size_t i = std::min(j, kStages - 1 - j);
-  return i < 5 ? kMove[i] : 1.0 - 2.0 * (kMove[0] + kMove[1] + kMove[2] + kMove[3] + kMove[4]);
-}
+// Blanes and Moan, order 6, 11 stages, for kicks that are nilpotent.
+constexpr std::array<double, 5> kNilpotentKicks{0.0414649985182624, 0.198128671918067, -0.0400061921041533,
+                                                0.0752539843015807, -0.0115113874206879};
+constexpr std::array<double, 5> kNilpotentMoves{0.123229775946271, 0.290553797799558, -0.127049212625417,
+                                                -0.246331761062075, 0.357208872795928};
+// The same, 10 stages, for any kicks.
+constexpr std::array<double, 5> kAnyKicks{0.0502627644003922, 0.413514300428344, 0.0450798897943977, -0.188054853819569,
+                                          0.541960678450780};
+constexpr std::array<double, 4> kAnyMoves{0.148816447901042, -0.132385865767784, 0.067307604692185, 0.432666402578175};
+
+const Splitting kNilpotent{kNilpotentKicks, kNilpotentMoves, 11};
+const Splitting kAny{kAnyKicks, kAnyMoves, 10};
 
 constexpr double kStageSetUp = 60.0;   // operations to prepare a stage, most of them in two trigonometric functions
 constexpr double kBetweenLooks = 2e6;  // operations after which the meter is asked again
@@ -33,18 +45,58 @@ Planar scaled(Planar h, double by) {
   return h;
 }
 
+// The impulse J of a kick under f = -H x - D v, v' = B f, x held over a time t: J = phi(-D B t) (-H x - D v) t with
+// phi(z) = (exp(z) - 1)/z, whose series ends soon. `drag` is D t, `mobility` B.
+Planar held(const Planar& drag, const Planar& mobility, int axes) {
+  const Planar z{-(drag[0] * mobility[0] + drag[1] * mobility[2]), -(drag[0] * mobility[1] + drag[1] * mobility[3]),
+                 -(drag[2] * mobility[0] + drag[3] * mobility[2]), -(drag[2] * mobility[1] + drag[3] * mobility[3])};
+  Planar sum{1.0, 0.0, 0.0, axes == 2 ? 1.0 : 0.0};
+  Planar term = sum;
+  for (int k = 2; k < 24; ++k) {
+    term = scaled({term[0] * z[0] + term[1] * z[2], term[0] * z[1] + term[1] * z[3], term[2] * z[0] + term[3] * z[2],
+                   term[2] * z[1] + term[3] * z[3]},
+                  1.0 / k);
+    for (std::size_t i = 0; i < 4; ++i) sum[i] += term[i];
+  }
+  return sum;
+}
+
+Planar product(const Planar& a, const Planar& b) {
+  return {a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]};
+}
+
+// What a force does to the tip's acceleration: the sum of a a^T/m.
+Planar mobilityOf(const RegenerativeSystem& system) {
+  Planar b{};
+  for (const auto& o : system.oscillators) {
+    b[0] += o.toTip[0] * o.toTip[0] / o.mass;
+    b[1] += o.toTip[0] * o.toTip[1] / o.mass;
+    b[3] += o.toTip[1] * o.toTip[1] / o.mass;
+  }
+  b[2] = b[1];
+  return b;
+}
+
 }  // namespace
 
 TransitionMatrix::TransitionMatrix(const RegenerativeSystem& system, Rpm speed, double largestS, double phasePerStep,
                                    WorkMeter& meter)
-    : system_(system), states_(system.states()), period_(system.toothPeriod(speed)) {
-  spindle_ = kTwoPi * toHertz(speed).value;
+    : system_(system),
+      states_(system.states()),
+      period_(system.toothPeriod(speed)),
+      spindle_(kTwoPi * toHertz(speed).value),
+      damped_(!system.damping.empty() && system.depth > 0.0) {
   const double omega = system.highestOmega();
   const double fastest = std::sqrt(omega * omega + 0.5 * largestS * system.stiffening());
-  for (const ForceInterval& arc : system.intervals) addArc(arc, spindle_, phasePerStep, fastest, meter);
+  for (std::size_t i = 0; i < system.intervals.size(); ++i) addArc(i, phasePerStep, fastest, meter);
   double damping = 0.0;
   for (const auto& o : system.oscillators) damping += o.zeta * o.omega;
-  determinant_ = std::exp(-2.0 * damping * period_);
+  double dragged = 0.0;  // the determinant of the damped kicks
+  for (const ForceInterval& arc : damped_ ? system.damping : std::vector<ForceInterval>{}) {
+    const Planar z = product(arc.integral(arc.from, arc.to), mobilityOf(system));
+    dragged += (z[0] + z[3]) * system.depth / (spindle_ * spindle_);
+  }
+  determinant_ = std::exp(-2.0 * damping * period_ - dragged);
 }
 
 double TransitionMatrix::effort() const {
@@ -63,33 +115,46 @@ std::size_t TransitionMatrix::addDrift(double time) {
   return row;
 }
 
-void TransitionMatrix::addArc(const ForceInterval& arc, double spindle, double phasePerStep, double fastest,
-                              WorkMeter& meter) {
-  const double time = (arc.to - arc.from) / spindle;
+TransitionMatrix::Stage TransitionMatrix::kickAt(std::size_t index, double angle, double weight,
+                                                 std::size_t drift) const {
+  Stage stage{true, drift, scaled(system_.intervals[index].at(angle), weight), {}};
+  if (!damped_) return stage;
+  const Planar drag = scaled(system_.damping[index].at(angle), weight * system_.depth / spindle_);
+  const Planar hold = held(drag, mobilityOf(system_), system_.axes);
+  stage.force = product(hold, stage.force);
+  stage.drag = product(hold, drag);
+  return stage;
+}
+
+void TransitionMatrix::addArc(std::size_t index, double phasePerStep, double fastest, WorkMeter& meter) {
+  const ForceInterval& arc = system_.intervals[index];
+  const double time = (arc.to - arc.from) / spindle_;
   if (!arc.cutting) {
-    stages_.push_back({false, addDrift(time), {}});
+    stages_.push_back({false, addDrift(time), {}, {}});
     return;
   }
   // A step also stays below a third of a radian of the tooth's way, for the force turns with 2 phi.
+  const Splitting& splitting = damped_ ? kAny : kNilpotent;
   const double wanted = std::max(fastest * time / phasePerStep, (arc.to - arc.from) / 0.35);
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(wanted)));
   const double h = time / static_cast<double>(steps);
+  const std::size_t moves = splitting.stages;
   std::array<std::size_t, 6> drift{};
-  for (std::size_t j = 0; j < drift.size(); ++j) drift[j] = addDrift(h * moveWeight(j));
+  for (std::size_t j = 0; j < (moves + 1) / 2; ++j) drift[j] = addDrift(h * weightOf(splitting.moves, j, moves));
   const std::size_t stay = addDrift(0.0);
   double t = 0.0;
   double carried = 0.0;  // the last kick of a step and the first of the next happen at the same time
   for (std::size_t n = 0; n < steps; ++n) {
-    if (!meter.proceed(kStages * kStageSetUp)) return;
+    if (!meter.proceed(static_cast<double>(moves) * kStageSetUp)) return;
     t = static_cast<double>(n) * h;
-    for (std::size_t j = 0; j < kStages; ++j) {
-      const double weight = h * kickWeight(j) + (j == 0 ? carried : 0.0);
-      stages_.push_back({true, drift[std::min(j, kStages - 1 - j)], scaled(arc.at(arc.from + spindle * t), weight)});
-      t += h * moveWeight(j);
+    for (std::size_t j = 0; j < moves; ++j) {
+      const double weight = h * weightOf(splitting.kicks, j, moves + 1) + (j == 0 ? carried : 0.0);
+      stages_.push_back(kickAt(index, arc.from + spindle_ * t, weight, drift[std::min(j, moves - 1 - j)]));
+      t += h * weightOf(splitting.moves, j, moves);
     }
-    carried = h * kickWeight(kStages);
+    carried = h * weightOf(splitting.kicks, moves, moves + 1);
   }
-  stages_.push_back({true, stay, scaled(arc.at(arc.to), carried)});
+  stages_.push_back(kickAt(index, arc.to, carried, stay));
 }
 
 bool TransitionMatrix::evaluate(std::span<const Complex> s, std::span<Complex> psi, WorkMeter& meter) const {
@@ -110,7 +175,7 @@ bool TransitionMatrix::run(const Complex* s, std::size_t lanes, std::vector<doub
   const std::size_t half = n * lanes;
   const std::size_t row = 2 * half;
   const bool planar = system_.axes == 2;
-  scratch.assign((n + 5) * row, 0.0);
+  scratch.assign((n + 7) * row, 0.0);
   double* const motion = scratch.data();
   double* const x = motion + n * row;
   double* const y = x + row;
@@ -118,6 +183,8 @@ bool TransitionMatrix::run(const Complex* s, std::size_t lanes, std::vector<doub
   double* const fy = fx + row;
   double* const sr = fy + row;
   double* const si = sr + half;
+  double* const vx = si + half;
+  double* const vy = vx + row;
   for (std::size_t c = 0; c < n; ++c) {
     for (std::size_t b = 0; b < lanes; ++b) {
       motion[c * row + c * lanes + b] = 1.0;
@@ -156,6 +223,17 @@ bool TransitionMatrix::run(const Complex* s, std::size_t lanes, std::vector<doub
       }
       push(stage.force[0], stage.force[1], fx);
       if (planar) push(stage.force[2], stage.force[3], fy);
+      if (damped_) {
+        std::fill(vx, vx + (planar ? 2 : 1) * row, 0.0);
+        for (std::size_t i = 0; i < modes; ++i) {
+          const auto& o = system_.oscillators[i];
+          const double* const p = motion + (2 * i + 1) * row;
+          for (std::size_t k = 0; k < row; ++k) vx[k] += o.toTip[0] * o.omega * p[k];
+          for (std::size_t k = 0; planar && k < row; ++k) vy[k] += o.toTip[1] * o.omega * p[k];
+        }
+        for (std::size_t k = 0; k < row; ++k) fx[k] -= stage.drag[0] * vx[k] + (planar ? stage.drag[1] * vy[k] : 0.0);
+        for (std::size_t k = 0; planar && k < row; ++k) fy[k] -= stage.drag[2] * vx[k] + stage.drag[3] * vy[k];
+      }
     }
     for (std::size_t i = 0; i < modes; ++i) {
       double* const q = motion + 2 * i * row;

@@ -6,6 +6,8 @@
 // Numerics: free motion of every mode is exact; the cutting force is a kick q -> q', which is nilpotent, so the
 // sixth-order Runge-Kutta-Nystroem splitting with 11 stages of Blanes and Moan (J. Comput. Appl. Math. 142, 2002,
 // table 3, order 6) applies. Arcs out of the cut are one exact step. States are (q_i, q_i'/omega_i).
+// With process damping the kick depends on q' too and is no longer nilpotent: it is then the exact solution of
+// q'' = -(H q + D q')/m with q held, and the splitting is the one with 10 stages of the same paper (table 2, order 6).
 #pragma once
 
 #include <complex>
@@ -45,6 +47,7 @@ class TransitionMatrix {
     bool kick = false;
     std::size_t drift = 0;  // index into drifts_
     Planar force{};         // H times the time weight [N s/m^2]
+    Planar drag{};          // of the tip's velocity, likewise [N s/m]; only with process damping
   };
   // Free motion of one mode over a time: q <- qq q + qp p, p <- pq q + pp p.
   struct Drift {
@@ -52,7 +55,8 @@ class TransitionMatrix {
   };
 
   std::size_t addDrift(double time);
-  void addArc(const ForceInterval& arc, double spindle, double phasePerStep, double fastest, WorkMeter& meter);
+  void addArc(std::size_t index, double phasePerStep, double fastest, WorkMeter& meter);
+  Stage kickAt(std::size_t index, double angle, double weight, std::size_t drift) const;
   double stageEffort() const { return states_ * (8.0 * states_ + 16.0); }
   bool run(const Complex* s, std::size_t lanes, std::vector<double>& scratch, Complex* psi, WorkMeter& meter) const;
 
@@ -60,6 +64,7 @@ class TransitionMatrix {
   int states_ = 0;
   double period_ = 0.0;
   double spindle_ = 0.0;  // [rad/s]
+  bool damped_ = false;   // with process damping
   double determinant_ = 1.0;
   std::vector<Stage> stages_;
   std::vector<Drift> drifts_;  // one row of oscillators per distinct time

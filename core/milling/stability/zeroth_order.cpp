@@ -52,6 +52,10 @@ struct ZerothOrder::BorderPoint {
 Result<ZerothOrder> ZerothOrder::make(const CutModel& model, const std::string& where) {
   Result<ExactLobes> lobes = ExactLobes::make(model, where);
   if (!lobes) return lobes.error();
+  if (!lobes->pattern().alike) {
+    return Error{where + ": tool", message("the zeroth order needs teeth of one pitch and one helix"),
+                 message("the exact method takes any")};
+  }
   return ZerothOrder(std::move(lobes.value()));
 }
 

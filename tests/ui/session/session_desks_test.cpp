@@ -388,7 +388,7 @@ TEST(Lobes, AProfilesModesGiveTheLobesPageItsDiagram) {
   ASSERT_TRUE(uneven.ok()) << uneven.error().line();
   (*uneven)->ask({ui::LobeMethodChoice::ZerothOrder, frame.lowest, frame.highest, 40, frame.maxAxialDepth});
   EXPECT_TRUE(QTest::qWaitFor([&] { return (*uneven)->progress().state == ui::LobeProgress::State::Failed; }, 60000));
-  EXPECT_TRUE((*uneven)->progress().problem.contains(QStringLiteral("regular pitch")))
+  EXPECT_TRUE((*uneven)->progress().problem.contains(QStringLiteral("one pitch")))
       << "the lobes of an even pitch are not this tool's";
   EXPECT_EQ((*uneven)->diagram(), nullptr);
   profile.model = "nowhere.toml";

@@ -98,7 +98,7 @@ TEST(CutModelCheck, EachKindOfNonsenseIsOneLineThatNamesItsPlace) {
                            m.modes[1].direction = {nan, 0.0};
                          }},
                         {"tool", [](CutModel& m) { m.tool.teeth = 0; }},
-                        {"tool", [](CutModel& m) { m.tool.teeth = 13; }},
+                        {"tool", [](CutModel& m) { m.tool.teeth = 201; }},
                         {"tool", [](CutModel& m) { m.tool.diameter = Metres(0.0); }},
                         {"tool", [=](CutModel& m) { m.tool.diameter = Metres(nan); }},
                         {"tool",
@@ -125,6 +125,16 @@ TEST(CutModelCheck, EachKindOfNonsenseIsOneLineThatNamesItsPlace) {
                         {"material", [=](CutModel& m) { m.material.processDamping = infinite; }},
                         {"material", [](CutModel& m) { m.material.exponent = 0.0; }},
                         {"material", [](CutModel& m) { m.material.exponent = 1.01; }},
+                        {"tool",
+                         [](CutModel& m) {
+                           m.tool.toothHelix = {0.1, 0.2};
+                         }},
+                        {"tool",
+                         [=](CutModel& m) {
+                           m.tool.toothHelix = {0.1, 0.2, nan};
+                         }},
+                        {"engagement", [](CutModel& m) { m.engagement.offset = 0.9; }},
+                        {"engagement", [=](CutModel& m) { m.engagement.offset = nan; }},
                         {"engagement", [](CutModel& m) { m.engagement.radialImmersion = 0.0; }},
                         {"engagement", [](CutModel& m) { m.engagement.radialImmersion = 1.2; }},
                         {"engagement", [=](CutModel& m) { m.engagement.radialImmersion = nan; }}};

@@ -37,7 +37,7 @@ TEST(StabilityBadInput, ModelsAreRefusedWithOneLine) {
       broken([](CutModel& m) { m.material.tangential = std::numeric_limits<double>::infinity(); }),
       broken([](CutModel& m) { m.material.exponent = 0.75; }),
       broken([](CutModel& m) {
-        m.tool.pitch = {3.0, kTwoPi - 3.0};
+        m.tool.pitch = {3.0, 3.0};
       }),
   };
   for (const std::string& line : lines) {

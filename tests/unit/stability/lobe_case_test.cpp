@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "core/milling/stability/lobe_csv.h"
@@ -49,6 +50,55 @@ TEST(LobeCase, BadFilesAreRefusedWithOneLine) {
   }
   EXPECT_FALSE(loadLobeCase(folder / "missing.json").ok());
   EXPECT_FALSE(loadLobeCase(folder / "missing.toml").ok());
+}
+
+std::string caseWith(const std::string& engagement, const std::string& material = "") {
+  return "[[mode]]\nfrequency_hz = 900.0\ndamping = 0.02\nstiffness_n_per_m = 1e7\ndirection = [1.0, 0.0]\n"
+         "[tool]\nteeth = 6\ndiameter_mm = 100.0\n[material]\ntangential_n_per_m2 = 2e9\nradial_n_per_m2 = 9e8\n" +
+         material + "[engagement]\n" + engagement;
+}
+
+Result<LobeCase> readText(const record::TempFolder& folder, const std::string& text) {
+  std::ofstream(folder / "cut.toml") << text;
+  return loadLobeCase(folder / "cut.toml");
+}
+
+TEST(LobeCase, AnEngagementIsSaidByOffsetOrAngles) {
+  const record::TempFolder folder;
+  const auto centred = readText(folder, caseWith("radial_immersion = 0.6\noffset_mm = 0.0\n"));
+  const auto angles = readText(folder, caseWith("start_deg = 53.1301\nexit_deg = 126.8699\n"));
+  const auto both = readText(folder, caseWith("start_deg = 53.13\nexit_deg = 126.87\nradial_immersion = 0.6\n"));
+  for (const auto* read : {&centred, &angles, &both}) {
+    ASSERT_TRUE(read->ok()) << read->error().line();
+    EXPECT_NEAR((*read)->model.engagement.startAngle(), std::acos(0.6), 1e-5);
+    EXPECT_NEAR((*read)->model.engagement.exitAngle(), std::acos(-0.6), 1e-5);
+    std::ofstream(folder / "again.toml") << lobeCaseText(read->value());
+    const auto again = loadLobeCase(folder / "again.toml");
+    ASSERT_TRUE(again.ok()) << again.error().line();
+    EXPECT_EQ(again->model.engagement.startAngle(), (*read)->model.engagement.startAngle());
+  }
+  // 10 mm to the left of the centre: the left edge of the cut at 40 mm, the right one 20 mm to the right.
+  const auto left = readText(folder, caseWith("radial_immersion = 0.6\noffset_mm = 10.0\n"));
+  EXPECT_NEAR(left->model.engagement.startAngle(), std::acos(0.8), 1e-9);
+  EXPECT_NEAR(left->model.engagement.exitAngle(), std::acos(-0.4), 1e-9);
+  for (const char* bad :
+       {"radial_immersion = 0.6\noffset_mm = 30.0\n", "start_deg = 90.0\nexit_deg = 60.0\n", "start_deg = 60.0\n",
+        "start_deg = 60.0\nexit_deg = 90.0\nradial_immersion = 0.6\n", "radial_immersion = 0.6\n"}) {
+    const auto refused = readText(folder, caseWith(bad));
+    ASSERT_FALSE(refused.ok()) << bad;
+    EXPECT_EQ(refused.error().line().find('\n'), std::string::npos);
+  }
+}
+
+TEST(LobeCase, AWearLandSaysHowMuchTheFlankDamps) {
+  const record::TempFolder folder;
+  const std::string side = "radial_immersion = 0.5\nside = \"down\"\n";
+  const auto worn = readText(folder, caseWith(side, "indentation_n_per_m3 = 2e13\nwear_land_mm = 0.1\n"));
+  ASSERT_TRUE(worn.ok()) << worn.error().line();
+  EXPECT_NEAR(worn->model.material.processDamping, 0.5 * 2e13 * 1e-8, 1e-3);
+  EXPECT_FALSE(readText(folder, caseWith(side, "wear_land_mm = 0.1\n")).ok());
+  const std::string twice = "indentation_n_per_m3 = 2e13\nwear_land_mm = 0.1\nprocess_damping_n_per_m = 1e5\n";
+  EXPECT_FALSE(readText(folder, caseWith(side, twice)).ok());
 }
 
 TEST(LobeCsv, OneRowPerCrossingAndOneForASpeedWithoutLimit) {

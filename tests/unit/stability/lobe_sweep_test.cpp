@@ -103,13 +103,16 @@ TEST(LobeSweep, StepsIncludeTheEnd) {
   EXPECT_EQ(speedSteps(Rpm(1000), Rpm(1050), Rpm(100), "s")->size(), 1u);
 }
 
-TEST(LobeSweep, HelixIsNamedAsLeftOut) {
+TEST(LobeSweep, TheZerothOrderNamesWhatItLeavesOut) {
   CutModel model = textbookSlot();
-  model.tool.helix = 0.5;
+  model.material.processDamping = 1e4;
   const std::vector<Rpm> speeds{Rpm(6000)};
-  const auto sweep = sweepLobes(model, speeds, sweepTo(1e-3, 1), "helix");
-  ASSERT_EQ(sweep->warnings.size(), 1u);
-  EXPECT_NE(text(sweep->warnings[0]).find("helix"), std::string::npos);
+  SweepOptions options = sweepTo(1e-3, 1);
+  EXPECT_TRUE(sweepLobes(model, speeds, options, "exact")->warnings.empty());
+  options.method = LobeMethod::ZerothOrder;
+  const auto sweep = sweepLobes(model, speeds, options, "zeroth");
+  ASSERT_EQ(sweep->warnings.size(), 2u);
+  EXPECT_NE(text(sweep->warnings[1]).find("process damping"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+#include "core/milling/linear_force.h"
+
+#include <cmath>
+
+namespace stillcut::milling {
+
+Metres meanChip(const Engagement& engagement, Metres feedPerTooth) {
+  const double start = engagement.startAngle(), exit = engagement.exitAngle();
+  return Metres(feedPerTooth.value * (std::cos(start) - std::cos(exit)) / (exit - start));
+}
+
+Material linearisedAt(Material m, Metres chip) {
+  if (m.exponent == 1.0) return m;
+  const double slope = m.exponent * std::pow(chip.value, m.exponent - 1.0);
+  m.tangential *= slope;
+  m.radial *= slope;
+  m.exponent = 1.0;
+  m.tangentialEdge = m.radialEdge = 0.0;
+  return m;
+}
+
+}  // namespace stillcut::milling

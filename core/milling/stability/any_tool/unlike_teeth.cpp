@@ -1,0 +1,284 @@
+#include "core/milling/stability/any_tool/unlike_teeth.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace stillcut::milling {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kRoughReach = 1.8;  // where lines begin to fade, in frequencies of the highest mode
+constexpr double kFineReach = 4.0;
+constexpr double kFade = 0.4;  // of that, until they are gone
+
+// Integral of exp(i p phi) over [a, b].
+Complex turned(int p, double a, double b) {
+  if (p == 0) return b - a;
+  return (std::polar(1.0, p * b) - std::polar(1.0, p * a)) / Complex(0.0, p);
+}
+
+// The n-th harmonic of a tooth's directional matrix over a revolution.
+std::array<Complex, 4> harmonic(int n, double kt, double kr, double start, double exit) {
+  const Complex one = turned(-n, start, exit);
+  const Complex up = turned(2 - n, start, exit);
+  const Complex down = turned(-2 - n, start, exit);
+  const Complex c = 0.5 * (up + down);
+  const Complex s = (up - down) / Complex(0.0, 2.0);
+  const double per = 0.5 / kTwoPi;
+  return {per * kr * (one - c) + per * kt * s, per * kt * (one + c) + per * kr * s,
+          -per * kt * (one - c) + per * kr * s, per * kr * (one + c) - per * kt * s};
+}
+
+// Of both axes, or projected on the one.
+void keep(const std::array<Complex, 4>& h, const RegenerativeSystem& system, std::vector<Planar>& re,
+          std::vector<Planar>& im) {
+  std::array<Complex, 4> kept = h;
+  if (system.axes == 1) {
+    const auto& e = system.direction;
+    kept = {e[0] * (h[0] * e[0] + h[1] * e[1]) + e[1] * (h[2] * e[0] + h[3] * e[1]), 0.0, 0.0, 0.0};
+  }
+  Planar a{}, b{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    a[i] = kept[i].real();
+    b[i] = kept[i].imag();
+  }
+  re.push_back(a);
+  im.push_back(b);
+}
+
+struct GaussPoint {
+  double at, weight;  // over 0 .. 1
+};
+
+// Gauss-Legendre on 0 .. 1, by Newton on the Legendre polynomial.
+std::vector<GaussPoint> gaussPoints(int n) {
+  std::vector<GaussPoint> points;
+  for (int i = 0; i < n; ++i) {
+    double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1.0;
+    for (int round = 0; round < 20; ++round) {
+      double p = 1.0, before = 0.0;
+      for (int k = 1; k <= n; ++k) {
+        const double next = ((2.0 * k - 1.0) * x * p - (k - 1.0) * before) / k;
+        before = p;
+        p = next;
+      }
+      slope = n * (x * p - before) / (x * x - 1.0);
+      const double step = p / slope;
+      x -= step;
+      if (std::abs(step) < 1e-15) break;
+    }
+    points.push_back({0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope)});
+  }
+  return points;
+}
+
+// det(1 + w H) for an upper Hessenberg matrix: elimination with a pivot from two neighbouring rows.
+Complex determinantAt(const Eigen::MatrixXcd& h, double w, Eigen::MatrixXcd& work) {
+  const Eigen::Index n = h.rows();
+  work = w * h;
+  work.diagonal().array() += 1.0;
+  Complex det = 1.0;
+  for (Eigen::Index k = 0; k + 1 < n; ++k) {
+    if (std::norm(work(k + 1, k)) > std::norm(work(k, k))) {
+      work.row(k).tail(n - k).swap(work.row(k + 1).tail(n - k));
+      det = -det;
+    }
+    if (work(k, k) == 0.0) return 0.0;
+    det *= work(k, k);
+    const Complex factor = work(k + 1, k) / work(k, k);
+    work.row(k + 1).tail(n - k) -= factor * work.row(k).tail(n - k);
+  }
+  return det * work(n - 1, n - 1);
+}
+
+// Mean of exp(-i x z/w) over the depth.
+Complex meanOver(double x) {
+  if (std::abs(x) < 1e-6) return {1.0 - x * x / 6.0, -0.5 * x};
+  return (1.0 - std::polar(1.0, -x)) / Complex(0.0, x);
+}
+
+}  // namespace
+
+UnlikeTeeth::UnlikeTeeth(const CutModel& model, const ToothPattern& pattern, Rpm speed)
+    : pattern_(pattern),
+      speed_(kTwoPi * toHertz(speed).value),
+      period_(kTwoPi / (speed_ * pattern.repeats)),
+      start_(model.engagement.startAngle()),
+      exit_(model.engagement.exitAngle()),
+      tangential_(model.material.tangential),
+      radial_(model.material.radial),
+      damping_(model.material.processDamping / (0.5 * model.tool.diameter.value)),
+      straight_(systemAt(model, Metres(0.0))) {}
+
+double UnlikeTeeth::fadeFrom(Fineness fineness) const {
+  const double spacing = kTwoPi / period_;
+  return (fineness == Fineness::Rough ? kRoughReach : kFineReach) * straight_.highestOmega() + 2.0 * spacing;
+}
+
+int UnlikeTeeth::lines(Fineness fineness) const {
+  return static_cast<int>(linesAt(0.5, fineness).size());
+}
+
+std::vector<UnlikeTeeth::Line> UnlikeTeeth::linesAt(double angle, Fineness fineness) const {
+  const double spacing = kTwoPi / period_, from = fadeFrom(fineness), width = kFade * from;
+  const int most = static_cast<int>((from + width) / spacing) + 1;
+  std::vector<Line> lines;
+  for (int k = -most; k <= most; ++k) {
+    const double omega = angle / period_ + k * spacing;
+    const double into = (std::abs(omega) - from) / width;
+    if (into >= 1.0) continue;
+    const double c = into > 0.0 ? std::cos(0.5 * std::numbers::pi * into) : 1.0;
+    lines.push_back({omega, c * c * c * c, k});
+  }
+  return lines;
+}
+
+UnlikeTeeth::Sums UnlikeTeeth::sumsAt(double depth, int most) const {
+  Sums sums;
+  sums.most = most;
+  const int teeth = pattern_.teeth(), r = pattern_.repeats;
+  std::vector<GaussPoint> heights{{0.0, 1.0}};
+  if (!pattern_.parallel) {
+    const auto [low, high] = std::minmax_element(pattern_.trail.begin(), pattern_.trail.end());
+    const double turns = most * r * depth * std::max(std::abs(*low), std::abs(*high));
+    heights = gaussPoints(std::min(200, 8 + static_cast<int>(0.6 * turns)));
+  }
+  for (int j = 0; j < teeth; ++j) {
+    for (const GaussPoint& p : heights) sums.delays.push_back(pattern_.delayAngle(j, p.at * depth) / speed_);
+  }
+  for (int m = -most; m <= most; ++m) {
+    const int n = m * r;
+    const Complex trailing = pattern_.parallel ? meanOver(n * pattern_.trail.front() * depth) : Complex(1.0);
+    for (int j = 0; j < teeth; ++j) {
+      for (const GaussPoint& p : heights) {
+        const auto k = static_cast<std::size_t>(j);
+        const double behind = pattern_.parallel ? 0.0 : pattern_.trail[k] * p.at * depth;
+        sums.phases.push_back(p.weight * trailing * std::polar(1.0, n * (pattern_.angle[k] - behind)));
+      }
+    }
+    keep(harmonic(n, tangential_, radial_, start_, exit_), straight_, sums.re, sums.im);
+    if (damping_ > 0.0) keep(harmonic(n, 0.0, damping_ / speed_, start_, exit_), straight_, sums.dre, sums.dim);
+  }
+  return sums;
+}
+
+Eigen::MatrixXcd UnlikeTeeth::matrixAt(const std::vector<Line>& lines, const Sums& sums, double depth) const {
+  const auto count = lines.size(), per = sums.delays.size();
+  const auto axes = static_cast<std::size_t>(straight_.axes);
+  std::vector<Complex> kept(count * per);  // 1 - exp(-i omega tau)
+  for (std::size_t l = 0; l < count; ++l) {
+    for (std::size_t e = 0; e < per; ++e) {
+      kept[l * per + e] = 1.0 - std::polar(1.0, -lines[l].omega * sums.delays[e]);
+    }
+  }
+  Eigen::MatrixXcd matrix =
+      Eigen::MatrixXcd::Identity(static_cast<Eigen::Index>(count * axes), static_cast<Eigen::Index>(count * axes));
+  for (std::size_t k = 0; k < count; ++k) {
+    std::array<Complex, 4> g{};
+    const double w = lines[k].omega;
+    for (const auto& o : straight_.oscillators) {
+      const Complex receptance =
+          lines[k].fade / (o.mass * Complex(o.omega * o.omega - w * w, 2.0 * o.zeta * o.omega * w));
+      for (std::size_t i = 0; i < 4; ++i) g[i] += receptance * (o.toTip[i / 2] * o.toTip[i % 2]);
+    }
+    for (std::size_t l = 0; l < count; ++l) {
+      const auto m = static_cast<std::size_t>(lines[k].number - lines[l].number + sums.most);
+      const Complex* const phase = sums.phases.data() + m * per;
+      Complex regenerated = 0.0, all = 0.0;
+      for (std::size_t e = 0; e < per; ++e) regenerated += phase[e] * kept[l * per + e];
+      const bool dragged = !sums.dre.empty();
+      for (std::size_t e = 0; dragged && e < per; ++e) all += phase[e];
+      std::array<Complex, 4> a{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        a[i] = depth * Complex(sums.re[m][i], sums.im[m][i]) * regenerated;
+        if (dragged) a[i] += depth * Complex(sums.dre[m][i], sums.dim[m][i]) * all * Complex(0.0, lines[l].omega);
+      }
+      for (std::size_t row = 0; row < axes; ++row) {
+        for (std::size_t column = 0; column < axes; ++column) {
+          const Complex sum = g[2 * row] * a[column] + g[2 * row + 1] * a[2 + column];
+          matrix(static_cast<Eigen::Index>(k * axes + row), static_cast<Eigen::Index>(l * axes + column)) += sum;
+        }
+      }
+    }
+  }
+  return matrix;
+}
+
+// The product of (mu - mu_i) over the multipliers of the structure alone.
+Complex UnlikeTeeth::structure(double angle) const {
+  const Complex mu = std::polar(1.0, angle);
+  Complex product = 1.0;
+  for (const auto& o : straight_.oscillators) {
+    const double size = std::exp(-o.zeta * o.omega * period_);
+    const double turn = o.omega * std::sqrt(1.0 - o.zeta * o.zeta) * period_;
+    product *= (mu - std::polar(size, turn)) * (mu - std::polar(size, -turn));
+  }
+  return product;
+}
+
+bool UnlikeTeeth::sample(double depth, std::span<const double> angles, Fineness fineness, std::span<Complex> out,
+                         WorkMeter& meter) const {
+  const int most = 2 * lines(fineness) + 2;
+  const Sums sums = sumsAt(depth, most);
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const std::vector<Line> lines = linesAt(angles[i], fineness);
+    const auto n = static_cast<double>(lines.size());
+    const double size = n * straight_.axes;
+    if (!meter.proceed(2.7 * size * size * size + 8.0 * n * n * static_cast<double>(sums.delays.size()))) return false;
+    out[i] = structure(angles[i]) * matrixAt(lines, sums, depth).partialPivLu().determinant();
+  }
+  return true;
+}
+
+bool UnlikeTeeth::sampleDepths(std::span<const double> depths, std::span<const double> angles,
+                               std::vector<std::vector<Complex>>& rows, WorkMeter& meter) const {
+  if (!pattern_.straight || damping_ > 0.0) return CircleFunction::sampleDepths(depths, angles, rows, meter);
+  rows.assign(depths.size(), std::vector<Complex>(angles.size()));
+  const Sums sums = sumsAt(1.0, 2 * lines(Fineness::Rough) + 2);
+  Eigen::MatrixXcd work;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    Eigen::MatrixXcd matrix = matrixAt(linesAt(angles[i], Fineness::Rough), sums, 1.0);
+    const auto size = static_cast<double>(matrix.rows());
+    if (!meter.proceed(14.0 * size * size * size + 8.0 * size * size * static_cast<double>(depths.size())))
+      return false;
+    matrix.diagonal().array() -= 1.0;
+    const Eigen::MatrixXcd h = Eigen::HessenbergDecomposition<Eigen::MatrixXcd>(matrix).matrixH();
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+      rows[k][i] = structure(angles[i]) * determinantAt(h, depths[k], work);
+    }
+  }
+  return true;
+}
+
+Hertz UnlikeTeeth::chatterFrequency(double angle, double depth, WorkMeter& meter) const {
+  const std::vector<Line> lines = linesAt(angle, Fineness::Rough);
+  const auto size = static_cast<double>(lines.size()) * straight_.axes;
+  if (!meter.proceed(8.0 * size * size * size)) return Hertz(0.0);
+  const Sums sums = sumsAt(depth, 2 * static_cast<int>(lines.size()) + 2);
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(matrixAt(lines, sums, depth));
+  Eigen::VectorXcd motion = Eigen::VectorXcd::Ones(lu.rows());
+  for (int i = 0; i < 3; ++i) motion = lu.solve(motion).normalized().eval();
+  double largest = -1.0, frequency = 0.0;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const double power = motion.segment(static_cast<Eigen::Index>(k) * straight_.axes, straight_.axes).squaredNorm();
+    if (!(power > largest)) continue;
+    largest = power;
+    frequency = std::abs(lines[k].omega) / kTwoPi;
+  }
+  return Hertz(frequency);
+}
+
+double UnlikeTeeth::growthAt(double depth) const {
+  double fastest = 0.0;
+  for (const auto& o : straight_.oscillators) {
+    fastest = std::max(fastest, std::sqrt(Complex(o.omega * o.omega, depth * straight_.stiffening())).imag());
+  }
+  return fastest * period_;
+}
+
+}  // namespace stillcut::milling
