@@ -9,6 +9,8 @@ Frf toCompliance(const Frf& frf) {
   out.quantity = FrfQuantity::Compliance;
   out.usableTo = frf.usableTo;
   out.addedDecay = frf.addedDecay;
+  out.axis = frf.axis;
+  out.unitKnown = frf.unitKnown;
   out.source = frf.source;
   for (std::size_t i = 0; i < frf.frequency.size(); ++i) {
     if (frf.frequency[i] <= 0.0) continue;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/milling/identify/axis.h"
+
 namespace stillcut::identify {
 
 enum class FrfQuantity { Compliance, Mobility, Accelerance };
@@ -19,7 +21,9 @@ struct Frf {
   double usableTo = 0.0;
   // Decay rate an exponential window added to every mode [1/s]; the modal fit takes it off again.
   double addedDecay = 0.0;
-  std::string source;  // file and data set, for messages
+  Axis axis = Axis::Unknown;  // of force and response
+  bool unitKnown = true;      // false: nobody said the unit, the values are the file's own
+  std::string source;         // file and data set, for messages
 };
 
 // The same measurement as compliance: divided by i w per step of differentiation; lines at 0 Hz are dropped.

@@ -15,8 +15,18 @@ using Spectrum = std::vector<std::complex<double>>;
 // The hammer's spectrum carries information down to this share of its largest line (-45 dB: a sensor of 16 bits still
 // leaves some 50 dB of range below that).
 constexpr double kUsableShare = 0.0056;
+// Above this the cut-off end of a response shows in the lines around it.
+constexpr double kRingingThatMatters = 0.05;
 
-Status checkRecord(const HammerRecord& record, const HammerOptions& options) {
+Status checkOptions(const HammerOptions& options, const std::string& where) {
+  const bool sane = options.trigger > 0.0 && options.trigger < 1.0 && options.doubleHit > 0.0 &&
+                    options.exponentialEnd > 0.0 && options.exponentialEnd <= 1.0 && options.forceWindow >= 0.0 &&
+                    options.duration >= 0.0 && options.separation > 0.0;
+  if (!sane) return Error{where, message("an option of the hammer analysis is out of range")};
+  return Done{};
+}
+
+Status checkRecord(const HammerRecord& record) {
   if (!(record.rate > 0.0) || !std::isfinite(record.rate)) {
     return Error{record.source, message("has no sampling rate")};
   }
@@ -28,10 +38,6 @@ Status checkRecord(const HammerRecord& record, const HammerOptions& options) {
       !std::all_of(record.response.begin(), record.response.end(), finite)) {
     return Error{record.source, message("holds a value that is not finite")};
   }
-  const bool sane = options.trigger > 0.0 && options.trigger < 1.0 && options.doubleHit > 0.0 &&
-                    options.exponentialEnd > 0.0 && options.exponentialEnd <= 1.0 && options.forceWindow >= 0.0 &&
-                    options.duration >= 0.0 && options.separation > 0.0;
-  if (!sane) return Error{record.source, message("an option of the hammer analysis is out of range")};
   return Done{};
 }
 
@@ -94,16 +100,16 @@ void accumulate(Sums& sums, const std::vector<double>& force, const std::vector<
 }
 
 // Lines with no force at all would divide by nothing: the spectrum ends before them.
-Frf estimate(const Sums& sums, double resolution, int averages) {
+Frf estimate(const Sums& sums, double resolution, int averages, FrfEstimate kind) {
   Frf frf;
-  frf.quantity = FrfQuantity::Accelerance;
   const double strongest = *std::max_element(sums.force.begin(), sums.force.end());
   bool usable = true;
   for (std::size_t k = 0; k < sums.force.size(); ++k) {
     if (sums.force[k] < strongest * kUsableShare * kUsableShare) usable = false;
     if (sums.force[k] < strongest * 1e-20) break;
+    const bool second = kind == FrfEstimate::H2 && std::norm(sums.cross[k]) > 0.0;
     frf.frequency.push_back(static_cast<double>(k) * resolution);
-    frf.value.push_back(sums.cross[k] / sums.force[k]);
+    frf.value.push_back(second ? sums.response[k] / std::conj(sums.cross[k]) : sums.cross[k] / sums.force[k]);
     if (usable) frf.usableTo = frf.frequency.back();
     if (averages < 2) continue;
     const double both = sums.force[k] * sums.response[k];
@@ -112,72 +118,177 @@ Frf estimate(const Sums& sums, double resolution, int averages) {
   return frf;
 }
 
-void judge(std::vector<FoundHit>& hits, const HammerOptions& options, HammerResult& result) {
-  int number = 0;
-  for (FoundHit& found : hits) {
-    ++number;
-    Hit& hit = found.hit;
-    hit.used = !hit.overload && (!hit.doubleHit || options.useDoubleHits);
-    const std::string name = "hit " + std::to_string(number);
-    if (hit.overload) result.remarks.push_back(name + " left out: overload");
-    if (hit.doubleHit) {
-      result.remarks.push_back(name + (hit.used ? " is a double hit, used as asked" : " left out: double hit"));
+// A record ready to be analysed, with its hits.
+struct Prepared {
+  HammerRecord record;
+  std::vector<FoundHit> hits;
+};
+
+void turn(std::vector<double>& signal) {
+  for (double& v : signal) v = -v;
+}
+
+// Pulses of a hammer push one way; where the other way is twice as high the channel counts a push as negative.
+bool pushesNegative(const std::vector<double>& force) {
+  const auto [lowest, highest] = std::minmax_element(force.begin(), force.end());
+  return -*lowest > 2.0 * std::max(*highest, 0.0);
+}
+
+Result<std::vector<Prepared>> prepare(const std::vector<HammerRecord>& records, const HammerOptions& options,
+                                      HammerResult& result) {
+  std::vector<Prepared> all;
+  bool turned = false;
+  for (const HammerRecord& record : records) {
+    if (const Status sound = checkRecord(record); !sound) return sound.error();
+    if (std::abs(record.rate / records.front().rate - 1.0) > 1e-6 || record.quantity != records.front().quantity) {
+      return Error{record.source, message("differs in sampling rate or quantity from %1", records.front().source),
+                   message("hits that are averaged need the same")};
     }
-    if (hit.used) ++result.averages;
-    result.hits.push_back(hit);
+    Prepared one{record, {}};
+    const bool negative = !options.flipForce && pushesNegative(record.force);
+    turned = turned || negative;
+    if (options.flipForce || negative) turn(one.record.force);
+    if (options.flipResponse) turn(one.record.response);
+    one.hits = findHits(one.record, options);
+    for (FoundHit& found : one.hits) found.hit.record = all.size();
+    all.push_back(std::move(one));
   }
-  if (result.averages == 1) result.remarks.emplace_back("one hit only: no coherence");
+  if (turned) result.remarks.push_back(message("the force counts a push as negative: turned"));
+  return all;
+}
+
+Message faultOf(const Hit& hit) {
+  if (hit.unwanted) return message("as asked");
+  if (hit.forceOverload) return message("overload of the force");
+  if (hit.responseOverload) return message("overload of the response");
+  return message("double hit");
+}
+
+Status judge(std::vector<Prepared>& all, const HammerOptions& options, HammerResult& result) {
+  int number = 0;
+  for (Prepared& one : all) {
+    for (FoundHit& found : one.hits) {
+      ++number;
+      Hit& hit = found.hit;
+      hit.unwanted = std::find(options.without.begin(), options.without.end(), number) != options.without.end();
+      const bool tolerated = !hit.doubleHit || options.useDoubleHits;
+      hit.used = !hit.unwanted && !hit.forceOverload && !hit.responseOverload && tolerated;
+      if (!hit.used) result.remarks.push_back(message("hit %1 left out: %2", number, faultOf(hit)));
+      if (hit.used && hit.doubleHit) result.remarks.push_back(message("hit %1 is a double hit, used as asked", number));
+      if (hit.used) ++result.averages;
+      result.hits.push_back(hit);
+    }
+  }
+  const std::string& where = all.front().record.source;
+  for (const int asked : options.without) {
+    if (asked >= 1 && asked <= number) continue;
+    return Error{where, message("there is no hit %1", asked), message("it holds %1 hits", number)};
+  }
+  if (number == 0) return Error{where, message("holds no hit"), message("force never positive; a flipped channel?")};
+  if (result.averages == 0) {
+    return Error{where, message("holds no usable hit"), result.remarks.empty() ? Message() : result.remarks.back()};
+  }
+  if (result.averages == 1) result.remarks.push_back(message("one hit only: no coherence"));
+  return Done{};
+}
+
+// How much of the largest response is left at the end of what is analysed.
+double ringingAtEnd(const std::vector<double>& response, std::size_t span) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < span; ++i) largest = std::max(largest, std::abs(response[i]));
+  const std::size_t tail = std::max<std::size_t>(span / 20, 1);
+  double power = 0.0;
+  for (std::size_t i = span - tail; i < span; ++i) power += response[i] * response[i];
+  return largest > 0.0 ? std::sqrt(2.0 * power / static_cast<double>(tail)) / largest : 0.0;
+}
+
+// A driving point takes power in: the imaginary part of its compliance is negative wherever it moves.
+bool takesPowerOut(const Frf& frf) {
+  const Frf compliance = toCompliance(frf);
+  double sum = 0.0;
+  double size = 0.0;
+  for (std::size_t i = 0; i < compliance.frequency.size(); ++i) {
+    if (frf.usableTo > 0.0 && compliance.frequency[i] > frf.usableTo) break;
+    const double power = compliance.frequency[i] * compliance.frequency[i] * compliance.value[i].imag();
+    sum += power;
+    size += std::abs(power);
+  }
+  return sum > 0.5 * size;
+}
+
+// What is analysed of each hit.
+struct Span {
+  std::size_t samples = 0;  // all hits over the same, the shortest one's, so that their lines coincide
+  std::size_t length = 0;   // with zeros behind, for the transform
+  double decay = 0.0;       // of the exponential window [1/s]
+};
+
+Span spanOf(const std::vector<Prepared>& all, const HammerOptions& options) {
+  Span span;
+  for (const Prepared& one : all) {
+    for (const FoundHit& found : one.hits) {
+      if (!found.hit.used) continue;
+      const std::size_t size = found.end - found.begin;
+      span.samples = span.samples == 0 ? size : std::min(span.samples, size);
+    }
+  }
+  span.length = roundLength(span.samples);
+  if (options.exponentialEnd < 1.0) {
+    span.decay = -std::log(options.exponentialEnd) * all.front().record.rate / static_cast<double>(span.samples);
+  }
+  return span;
+}
+
+// Adds one hit to the sums; how much its response still rings at the end.
+double addHit(const HammerRecord& record, FoundHit found, const Span& span, const HammerOptions& options, Sums& sums) {
+  found.end = found.begin + span.samples;
+  const auto half = static_cast<std::size_t>(found.hit.width * record.rate);
+  const std::size_t quietEnd = found.peak > 3 * half ? found.peak - 3 * half : 0;
+  std::vector<double> force = cutOut(record.force, found, quietEnd, span.length);
+  std::vector<double> response = cutOut(record.response, found, quietEnd, span.length);
+  if (options.forceWindow > 0.0) {
+    applyForceWindow(force, found.peak - found.begin, static_cast<std::size_t>(options.forceWindow * record.rate));
+  }
+  // Both channels, so that their ratio stays the response of a linear system with more damping.
+  applyDecay(force, span.decay, record.rate);
+  applyDecay(response, span.decay, record.rate);
+  accumulate(sums, force, response);
+  return ringingAtEnd(response, span.samples);
 }
 
 }  // namespace
 
-Result<HammerResult> analyseHammer(const HammerRecord& given, const HammerOptions& options) {
-  Status sane = checkRecord(given, options);
-  if (!sane) return sane.error();
-  HammerRecord record = given;
-  if (options.flipForce) {
-    for (double& v : record.force) v = -v;
-  }
-  if (options.flipResponse) {
-    for (double& v : record.response) v = -v;
-  }
-  std::vector<FoundHit> hits = findHits(record, options);
-  if (hits.empty())
-    return Error{record.source, message("holds no hit"), message("force never positive; a flipped channel?")};
+Result<HammerResult> analyseHammer(const std::vector<HammerRecord>& records, const HammerOptions& options) {
+  if (records.empty()) return Error{message("hammer analysis"), message("there is no record")};
+  if (const Status sane = checkOptions(options, records.front().source); !sane) return sane.error();
   HammerResult result;
-  judge(hits, options, result);
-  if (result.averages == 0) {
-    return Error{record.source, message("holds no usable hit"),
-                 result.remarks.empty() ? Message() : foreign(result.remarks.front())};
-  }
-  // All hits are analysed over the same span, the shortest one's, so that their lines coincide.
-  std::size_t span = record.force.size();
-  for (const FoundHit& found : hits) {
-    if (found.hit.used) span = std::min(span, found.end - found.begin);
-  }
-  const std::size_t length = roundLength(span);
-  const double decay =
-      options.exponentialEnd < 1.0 ? -std::log(options.exponentialEnd) * record.rate / static_cast<double>(span) : 0.0;
+  auto all = prepare(records, options, result);
+  if (!all) return all.error();
+  if (const Status judged = judge(*all, options, result); !judged) return judged.error();
+  const Span span = spanOf(*all, options);
   Sums sums;
-  for (FoundHit& found : hits) {
-    if (!found.hit.used) continue;
-    found.end = found.begin + span;
-    const auto half = static_cast<std::size_t>(found.hit.width * record.rate);
-    const std::size_t quietEnd = found.peak > 3 * half ? found.peak - 3 * half : 0;
-    std::vector<double> force = cutOut(record.force, found, quietEnd, length);
-    std::vector<double> response = cutOut(record.response, found, quietEnd, length);
-    if (options.forceWindow > 0.0) {
-      const auto hold = static_cast<std::size_t>(options.forceWindow * record.rate);
-      applyForceWindow(force, found.peak - found.begin, hold);
+  double ringing = 0.0;
+  for (const Prepared& one : *all) {
+    for (const FoundHit& found : one.hits) {
+      if (found.hit.used) ringing = std::max(ringing, addHit(one.record, found, span, options, sums));
     }
-    // Both channels, so that their ratio stays the response of a linear system with more damping.
-    applyDecay(force, decay, record.rate);
-    applyDecay(response, decay, record.rate);
-    accumulate(sums, force, response);
   }
-  result.frf = estimate(sums, record.rate / static_cast<double>(length), result.averages);
-  result.frf.addedDecay = decay;
-  result.frf.source = record.source;
+  const HammerRecord& first = records.front();
+  result.frf = estimate(sums, first.rate / static_cast<double>(span.length), result.averages, options.estimate);
+  result.frf.quantity = first.quantity;
+  result.frf.axis = first.axis;
+  result.frf.addedDecay = span.decay;
+  result.frf.source = first.source;
+  if (ringing > kRingingThatMatters) {
+    result.remarks.push_back(
+        message("the response still rings with %1 % of its largest at the end: measure longer, or "
+                "give --exponential 0.01",
+                std::lround(100.0 * ringing)));
+  }
+  if (!options.flipResponse && takesPowerOut(result.frf)) {
+    result.remarks.push_back(message("the response points against the force: turned"));
+    for (auto& v : result.frf.value) v = -v;
+  }
   return result;
 }
 

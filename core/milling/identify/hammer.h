@@ -1,6 +1,6 @@
-// From a hammer record to the frequency response function: one or several hits, H1 estimate, coherence, and the checks
-// a tap test needs (double hit, overload).
-// Source: H1 = S_fx / S_ff (response over force, noise on the response averages out), coherence
+// From hammer records to the frequency response function: one or several hits in one or several files, H1 or H2
+// estimate, coherence, and the checks a tap test needs (double hit, overload, direction of the force).
+// Source: H1 = S_fx / S_ff (noise on the response averages out), H2 = S_xx / S_xf (noise on the force does), coherence
 // |S_fx|^2 / (S_ff S_xx); D. Ewins, Modal Testing, 2nd ed., sections 3.8 to 3.10.
 // Thread: any, set-up path.
 #pragma once
@@ -14,11 +14,15 @@
 namespace stillcut::identify {
 
 struct HammerRecord {
-  double rate = 0.0;             // [Hz]
-  std::vector<double> force;     // [N], positive while the hammer pushes
-  std::vector<double> response;  // acceleration [m/s^2], positive along the force
+  double rate = 0.0;                                // [Hz]
+  std::vector<double> force;                        // [N], positive while the hammer pushes
+  std::vector<double> response;                     // [m/s^2, m/s or m], positive along the force
+  FrfQuantity quantity = FrfQuantity::Accelerance;  // what the response over the force is
+  Axis axis = Axis::Unknown;                        // of both
   std::string source;
 };
+
+enum class FrfEstimate { H1, H2 };
 
 struct HammerOptions {
   double trigger = 0.15;        // a hit: force above this share of the record's largest force
@@ -31,6 +35,8 @@ struct HammerOptions {
   bool useDoubleHits = false;   // keep hits that failed the check
   bool flipForce = false;       // the force channel counts a push as negative
   bool flipResponse = false;    // the accelerometer points against the force
+  FrfEstimate estimate = FrfEstimate::H1;
+  std::vector<int> without;  // hits to leave out, counted from 1 over all records
 };
 
 struct Hit {
@@ -38,18 +44,23 @@ struct Hit {
   double peakForce = 0.0;  // [N]
   double width = 0.0;      // of the pulse at half height [s]
   bool doubleHit = false;
-  bool overload = false;
+  bool forceOverload = false;
+  bool responseOverload = false;
+  bool unwanted = false;  // one of HammerOptions::without
   bool used = false;
+  std::size_t record = 0;  // which of the records, from 0
 };
 
 struct HammerResult {
-  Frf frf;                           // accelerance
-  std::vector<Hit> hits;             // all that were found
-  int averages = 0;                  // hits used
-  std::vector<std::string> remarks;  // one line each: what was left out, what to doubt
+  Frf frf;                       // of the records' quantity
+  std::vector<Hit> hits;         // all that were found, in the order of the records
+  int averages = 0;              // hits used
+  std::vector<Message> remarks;  // one line each: what was left out, what was turned, what to doubt
 };
 
-// Error when there is no hit, or none that passes the checks, or the record is no record (rate, lengths, NaN).
-Result<HammerResult> analyseHammer(const HammerRecord& record, const HammerOptions& options);
+// Records of one axis, all with one sampling rate. A force whose pulses are negative is turned, and so is a response
+// that takes power out of the structure, which a driving point cannot do; both are said.
+// Error when there is no hit, or none that passes the checks, or a record is no record (rate, lengths, NaN).
+Result<HammerResult> analyseHammer(const std::vector<HammerRecord>& records, const HammerOptions& options);
 
 }  // namespace stillcut::identify

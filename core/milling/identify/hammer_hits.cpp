@@ -107,8 +107,8 @@ std::vector<FoundHit> findHits(const HammerRecord& record, const HammerOptions& 
     found.hit.peakForce = force[pulse.peak];
     found.hit.width = halfWidth(force, pulse.peak, record.rate);
     found.hit.doubleHit = hasSecondPulse(force, pulse, found.end, options.doubleHit);
-    found.hit.overload = isClipped(force, found.begin, found.end, options.overload) ||
-                         isClipped(record.response, found.begin, found.end, options.overload);
+    found.hit.forceOverload = isClipped(force, found.begin, found.end, options.overload);
+    found.hit.responseOverload = isClipped(record.response, found.begin, found.end, options.overload);
     hits.push_back(found);
   }
   return hits;

@@ -11,13 +11,7 @@ namespace {
 constexpr double kNeighbourhood = 0.04;  // of frequency, to either side
 constexpr double kReach = 0.20;          // where the skirts of a peak are looked for
 constexpr double kNoisy = 0.04;          // scatter of neighbouring lines against the peak
-constexpr double kLeastHeight = 0.10;
 constexpr double kLeastCoherence = 0.8;
-
-struct Peak {
-  double frequency = 0.0;
-  double mobility = 0.0;
-};
 
 // Index range within a share of frequency around line i, at least two lines to either side.
 std::pair<std::size_t, std::size_t> around(const Frf& frf, std::size_t i, double share) {
@@ -60,28 +54,45 @@ bool isResonance(const Frf& frf, const std::vector<double>& size, std::size_t i)
   return scatter(frf, std::min(first, i > wide ? i - wide : 0), std::max(end, i + wide)) < kNoisy * size[i];
 }
 
+double depthAt(const Frf& frf, std::size_t i) {
+  const auto [first, end] = around(frf, i, kNeighbourhood);
+  double largest = 0.0;
+  for (std::size_t k = first; k < end; ++k) largest = std::max(largest, std::abs(frf.value[k].imag()));
+  return 0.5 * largest;
+}
+
 }  // namespace
 
-Result<Band> resonantBand(const Frf& compliance) {
+std::vector<Resonance> findResonances(const Frf& compliance) {
   std::vector<double> size;
   for (const auto& v : compliance.value) size.push_back(std::abs(v));
-  std::vector<Peak> peaks;
-  double highest = 0.0;
+  std::vector<Resonance> found;
   for (std::size_t i = 1; i + 1 < size.size(); ++i) {
     const double f = compliance.frequency[i];
     if (compliance.usableTo > 0.0 && f > compliance.usableTo) break;
     if (size[i] <= size[i - 1] || size[i] < size[i + 1] || !isResonance(compliance, size, i)) continue;
-    peaks.push_back({f, f * size[i]});
-    highest = std::max(highest, peaks.back().mobility);
+    found.push_back({f, depthAt(compliance, i)});
   }
-  std::erase_if(peaks, [&](const Peak& p) { return p.mobility < kLeastHeight * highest; });
-  if (peaks.empty()) {
+  return found;
+}
+
+Result<Band> resonantBand(const Frf& compliance, const std::vector<Resonance>& resonances, const Band& allowed) {
+  std::vector<Resonance> inside;
+  double deepest = 0.0;
+  for (const Resonance& r : resonances) {
+    if (r.frequency < allowed.from || (allowed.to > 0.0 && r.frequency > allowed.to)) continue;
+    inside.push_back(r);
+    deepest = std::max(deepest, r.depth);
+  }
+  std::erase_if(inside, [&](const Resonance& r) { return r.depth < kLeastDepth * deepest; });
+  if (inside.empty()) {
     return Error{compliance.source, message("no resonance stands out of the noise"),
                  message("give the frequency band to fit")};
   }
-  Band band{0.55 * peaks.front().frequency, 1.2 * peaks.back().frequency};
-  band.from = std::max(band.from, compliance.frequency.front());
+  Band band{0.55 * inside.front().frequency, 1.2 * inside.back().frequency};
+  band.from = std::max({band.from, compliance.frequency.front(), allowed.from});
   band.to = std::min(band.to, compliance.frequency.back());
+  if (allowed.to > 0.0) band.to = std::min(band.to, allowed.to);
   return band;
 }
 

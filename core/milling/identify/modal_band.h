@@ -1,5 +1,10 @@
-// Which part of a compliance measurement to fit when nobody says. Pure: any thread; set-up, not real-time.
+// Which part of a compliance measurement to fit when nobody says: the part that limits the depth of cut.
+// Source: the stability limit is -1 / (2 K_s Re[G]) at the most negative real part of the compliance; S. A. Tobias and
+// W. Fishwick 1958; Altintas and Budak 1995. A mode alone reaches 1 / (4 k z (1 + z)), half of its imaginary part at
+// resonance. Pure: any thread; set-up, not real-time.
 #pragma once
+
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/milling/identify/frf.h"
@@ -11,9 +16,19 @@ struct Band {
   double to = 0.0;
 };
 
-// From 0.55 times the lowest to 1.2 times the highest resonance that stands out of noise and reaches a tenth of the
-// highest in mobility (which favours neither the drift of an integrated accelerometer at low frequency nor its noise at
-// high frequency). The factors leave room on both sides for the skirts that fix the residuals.
-Result<Band> resonantBand(const Frf& compliance);
+struct Resonance {
+  double frequency = 0.0;  // [Hz]
+  double depth = 0.0;      // of its negative real part, from the imaginary part at its peak [m/N]
+};
+
+// A resonance below this part of the deepest negative real part does not limit the cut where the deepest one does not.
+inline constexpr double kLeastDepth = 0.05;
+
+// Peaks that stand out of the noise, up to where the hammer reaches, rising in frequency.
+std::vector<Resonance> findResonances(const Frf& compliance);
+
+// From 0.55 times the lowest to 1.2 times the highest of `resonances` whose depth counts, within `allowed` (an end of
+// 0 is free). The factors leave room on both sides for the skirts that fix the residuals. Error: there is none.
+Result<Band> resonantBand(const Frf& compliance, const std::vector<Resonance>& resonances, const Band& allowed);
 
 }  // namespace stillcut::identify

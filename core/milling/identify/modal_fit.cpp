@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/milling/identify/lscf.h"
 #include "core/milling/identify/modal_band.h"
@@ -19,6 +20,9 @@ constexpr double kMisfitFloor = 0.003;     // below this the misfit is as good a
 constexpr double kLargestPhase = 1.05;     // 60 degrees
 constexpr double kDoubtfulPhase = 0.52;    // 30 degrees
 constexpr double kLargestDamping = 0.3;
+constexpr double kPoorCoherence = 0.8;
+constexpr double kDepthWorthSaying = 0.02;  // of the deepest negative real part
+constexpr double kDepthOff = 0.15;          // relative: as much as the stability limits are off
 
 Status checkOptions(const Frf& frf, const ModalOptions& o) {
   const auto bad = [&](Message what) { return Error{frf.source, what}; };
@@ -31,14 +35,17 @@ Status checkOptions(const Frf& frf, const ModalOptions& o) {
   return Done{};
 }
 
-Result<Band> chooseBand(const Frf& compliance, const ModalOptions& options) {
-  Band band{options.from, options.to};
-  if (band.from > 0.0 && band.to > 0.0) return band;
-  auto found = resonantBand(compliance);
-  if (!found) return found;
-  if (band.from <= 0.0) band.from = found->from;
-  if (band.to <= 0.0) band.to = found->to;
-  if (band.to <= band.from) return Error{compliance.source, message("no resonance lies in the band given")};
+// A free end is that of the resonances on its side; where there are none, that of the measurement.
+Result<Band> chooseBand(const Frf& compliance, const std::vector<Resonance>& resonances, const ModalOptions& options) {
+  const Band given{options.from, options.to};
+  if (given.from > 0.0 && given.to > 0.0) return given;
+  auto found = resonantBand(compliance, resonances, given);
+  if (given.from <= 0.0 && given.to <= 0.0) return found;
+  const double last = compliance.usableTo > 0.0 ? compliance.usableTo : compliance.frequency.back();
+  Band band = found ? *found : Band{compliance.frequency.front(), last};
+  if (given.from > 0.0) band.from = given.from;
+  if (given.to > 0.0) band.to = given.to;
+  if (band.to <= band.from) return Error{compliance.source, message("ends before the band given")};
   return band;
 }
 
@@ -189,6 +196,7 @@ std::string doubtAbout(const IdentifiedMode& m, const ModalFit& fit) {
   }
   if (m.stability < 0.3) return "its pole is seldom stable";
   if (m.dampingSd > 0.2 * m.mode.damping) return "its damping is uncertain";
+  if (m.coherence > 0.0 && m.coherence < kPoorCoherence) return "its coherence is poor: hit more evenly, or more often";
   const double f = m.mode.frequency.value;
   const double bandwidth = 2.0 * m.mode.damping * f;
   if (f - bandwidth < fit.from || f + bandwidth > fit.to) return "lies at the edge of the band";
@@ -210,7 +218,62 @@ bool withoutWindow(milling::Mode& mode, double addedDecay) {
   return true;
 }
 
-void describeModes(ModalFit& fit, const ModalLines& lines, const Selection& selection, double addedDecay) {
+// Mean over the mode's bandwidth; 0 where it was not measured.
+double coherenceAt(const Frf& frf, const milling::Mode& mode) {
+  if (frf.coherence.empty()) return 0.0;
+  const double half = std::max(mode.damping * mode.frequency.value, 1.0);
+  double sum = 0.0;
+  int lines = 0;
+  for (std::size_t i = 0; i < frf.frequency.size(); ++i) {
+    if (std::abs(frf.frequency[i] - mode.frequency.value) > half) continue;
+    sum += frf.coherence[i];
+    ++lines;
+  }
+  return lines > 0 ? sum / lines : 0.0;
+}
+
+// What the modes alone, as a file holds them, make of the measurement.
+void judgeWritten(ModalFit& fit, double addedDecay) {
+  double off = 0.0;
+  double whole = 0.0;
+  for (std::size_t i = 0; i < fit.frequency.size(); ++i) {
+    const std::complex<double> s(addedDecay, kTwoPi * fit.frequency[i]);
+    std::complex<double> written = 0.0;
+    for (const IdentifiedMode& m : fit.modes) {
+      const double w = kTwoPi * m.mode.frequency.value;
+      written += w * w / m.mode.stiffness / (s * s + 2.0 * m.mode.damping * w * s + w * w);
+    }
+    off += std::norm(written - fit.measured[i]);
+    whole += std::norm(fit.measured[i]);
+    fit.measuredDepth = std::max(fit.measuredDepth, -fit.measured[i].real());
+    fit.writtenDepth = std::max(fit.writtenDepth, -written.real());
+  }
+  fit.writtenMisfit = whole > 0.0 ? std::sqrt(off / whole) : 0.0;
+}
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+// Resonances that no mode stands for, with their size.
+void nameLeftOut(ModalFit& fit, const std::vector<Resonance>& resonances) {
+  double deepest = 0.0;
+  for (const Resonance& r : resonances) deepest = std::max(deepest, r.depth);
+  for (const Resonance& r : resonances) {
+    const bool stoodFor = std::any_of(fit.modes.begin(), fit.modes.end(), [&](const IdentifiedMode& m) {
+      const double f = m.mode.frequency.value;
+      return std::abs(f - r.frequency) < std::max(0.03, 1.5 * m.mode.damping) * f;
+    });
+    if (stoodFor || r.depth < kDepthWorthSaying * deepest) continue;
+    fit.remarks.push_back(
+        message("left out: a resonance at %1 Hz, its negative real part of %2 m/N is %3 % of the deepest",
+                std::lround(r.frequency), shortNumber(r.depth), std::lround(100.0 * r.depth / deepest)));
+  }
+}
+
+void describeModes(ModalFit& fit, const ModalLines& lines, const Selection& selection, const Frf& frf) {
   const std::vector<ModalPole>& poles = selection.poles();
   const ConstantsFit constants = fitConstants(lines, poles, ModalConstants::Complex);
   const Eigen::MatrixX3d sd = relativeDeviations(lines, poles);
@@ -231,11 +294,13 @@ void describeModes(ModalFit& fit, const ModalLines& lines, const Selection& sele
     const double without = poles.size() > 1 ? selection.misfitWithout(i) : 1.0;
     m.share = std::min(1.0, std::sqrt(std::max(0.0, without * without - fit.misfit * fit.misfit)));
     m.stability = stabilityOf(poles[i], fit.diagram);
-    if (!withoutWindow(m.mode, addedDecay)) {
-      fit.remarks.push_back("a mode at " + std::to_string(std::lround(poles[i].frequency)) +
-                            " Hz left out: all its damping is the exponential window's");
+    if (!withoutWindow(m.mode, frf.addedDecay)) {
+      fit.remarks.push_back(message("a mode at %1 Hz left out: all its damping is the exponential window's",
+                                    std::lround(poles[i].frequency)));
       continue;
     }
+    m.depth = 1.0 / (4.0 * m.mode.stiffness * m.mode.damping * (1.0 + m.mode.damping));
+    m.coherence = coherenceAt(frf, m.mode);
     m.caveat = doubtAbout(m, fit);
     fit.modes.push_back(std::move(m));
   }
@@ -249,7 +314,9 @@ Result<ModalFit> fitModes(const Frf& frf, const ModalOptions& options) {
   Status sane = checkOptions(frf, options);
   if (!sane) return sane.error();
   const Frf compliance = toCompliance(frf);
-  const auto band = chooseBand(compliance, options);
+  if (compliance.frequency.empty()) return Error{frf.source, message("holds no line above 0 Hz")};
+  const std::vector<Resonance> resonances = findResonances(compliance);
+  const auto band = chooseBand(compliance, resonances, options);
   if (!band) return band.error();
   const auto lines = linesIn(compliance, *band);
   if (!lines) return lines.error();
@@ -262,15 +329,22 @@ Result<ModalFit> fitModes(const Frf& frf, const ModalOptions& options) {
   fit.diagram = lscfPoles(*lines, std::clamp(options.highestOrder, 4, std::max(4, lineLimit)));
   Selection selection(*lines, candidates(stablePoles(fit.diagram), *lines, options.modes), options.modes);
   selection.run();
-  if (!selection.poles().empty()) describeModes(fit, *lines, selection, frf.addedDecay);
+  if (!selection.poles().empty()) describeModes(fit, *lines, selection, compliance);
   if (fit.modes.empty())
     return Error{frf.source, message("no physical mode was found in the band"), message("try another band")};
-  if (static_cast<int>(fit.modes.size()) < options.modes) {
-    fit.remarks.push_back("only " + std::to_string(fit.modes.size()) + " of the " + std::to_string(options.modes) +
-                          " modes asked for were found");
+  judgeWritten(fit, frf.addedDecay);
+  nameLeftOut(fit, resonances);
+  if (std::abs(fit.writtenDepth / std::max(fit.measuredDepth, 1e-30) - 1.0) > kDepthOff) {
+    fit.remarks.push_back(
+        message("the deepest negative real part of these modes is %1 % of the measured one: limits "
+                "computed from them are off by as much",
+                std::lround(100.0 * fit.writtenDepth / std::max(fit.measuredDepth, 1e-30))));
   }
-  if (fit.misfit > 0.2) fit.remarks.emplace_back("the fit leaves a fifth of the response unexplained or more");
-  if (fit.realMisfit > 0.2) fit.remarks.emplace_back("real modes describe this structure poorly");
+  if (static_cast<int>(fit.modes.size()) < options.modes) {
+    fit.remarks.push_back(message("only %1 of the %2 modes asked for were found", fit.modes.size(), options.modes));
+  }
+  if (fit.misfit > 0.2) fit.remarks.push_back(message("the fit leaves a fifth of the response unexplained or more"));
+  if (fit.realMisfit > 0.2) fit.remarks.push_back(message("real modes describe this structure poorly"));
   return fit;
 }
 

@@ -4,6 +4,7 @@
 //
 // A mode is kept when leaving it out raises the misfit by half or by what amounts to 5 % of the response; modes that a
 // driving point cannot have (negative stiffness, shape more than 60 degrees off real, damping above 0.3) never are.
+// The band is that of the resonances by their negative real part (modal_band.h); those left out are named with it.
 // Thread: any, set-up path; about a second for a usual measurement.
 #pragma once
 
@@ -19,7 +20,7 @@
 namespace stillcut::identify {
 
 struct ModalOptions {
-  double from = 0.0;  // band to fit [Hz]; 0: found from the resonances (modal_band.h), each end for itself
+  double from = 0.0;  // band to fit [Hz]; 0: a free end, found from the resonances (modal_band.h)
   double to = 0.0;
   int modes = 0;          // how many; 0: as many as the measurement calls for
   int highestOrder = 30;  // of the stabilisation, 4 .. 60
@@ -32,6 +33,8 @@ struct IdentifiedMode {
   double stiffnessSd = 0.0;  // [N/m]
   double share = 0.0;        // part of the response (2-norm, 0..1) that is lost without this mode
   double stability = 0.0;    // share of the orders at which a stable pole was seen within 2 % of it
+  double depth = 0.0;        // of its negative real part, 1 / (4 k z (1 + z)) [m/N]
+  double coherence = 0.0;    // around its frequency, 0..1; 0: not measured
   double phase = 0.0;        // by which the mode's shape departs from real [rad]
   std::string caveat;        // one line, empty when there is none
 };
@@ -39,14 +42,17 @@ struct IdentifiedMode {
 struct ModalFit {
   std::vector<IdentifiedMode> modes;  // rising in frequency, at least one
   double misfit = 0.0;                // |fit - measured| / |measured| over the band, complex constants
-  double realMisfit = 0.0;            // the same with real modes, which is what stability lobes are made from
+  double realMisfit = 0.0;            // the same with real modes and residuals
+  double writtenMisfit = 0.0;         // the same with the real modes alone: what a file of modes holds
+  double measuredDepth = 0.0;         // deepest negative real part of the compliance in the band [m/N]
+  double writtenDepth = 0.0;          // the same of the real modes alone
   double from = 0.0;                  // band [Hz]
   double to = 0.0;
   std::vector<double> frequency;               // lines of the band [Hz], thinned where more than 3000
   std::vector<std::complex<double>> measured;  // compliance [m/N]
   std::vector<std::complex<double>> fitted;
   std::vector<std::vector<ModalPole>> diagram;  // poles of order 2, 3, ...
-  std::vector<std::string> remarks;
+  std::vector<Message> remarks;
 };
 
 // Any quantity; converted to compliance first. Error when nothing resonates, when the response and the force point

@@ -1,35 +1,119 @@
 #include "core/milling/identify/modal_measurement.h"
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
-namespace stillcut::identify {
+#include "core/milling/identify/response_unit.h"
 
-Result<ModalAnswer> identifyModes(const std::string& path, const ModalRequest& request) {
-  auto measured = importMeasurement(path, request.import);
-  if (!measured) return measured.error();
-  ModalAnswer answer;
-  answer.remarks = std::move(measured->remarks);
-  const auto remark = [&](const std::vector<std::string>& lines) {
-    answer.remarks.insert(answer.remarks.end(), lines.begin(), lines.end());
-  };
-  Frf frf;
-  if (const auto* record = std::get_if<HammerRecord>(&measured->data)) {
-    auto analysed = analyseHammer(*record, request.hammer);
-    if (!analysed) return analysed.error();
-    answer.fromHammer = true;
-    answer.hits = std::move(analysed->hits);
-    remark(analysed->remarks);
-    frf = std::move(analysed->frf);
-  } else {
-    frf = std::move(std::get<Frf>(measured->data));
-    if (request.hammer.flipResponse) {
-      for (auto& v : frf.value) v = -v;
+namespace stillcut::identify {
+namespace {
+
+// All that was read, sorted by axis.
+struct Sorted {
+  std::map<Axis, std::vector<HammerRecord>> records;
+  std::map<Axis, std::vector<Frf>> frfs;
+  std::vector<Message> remarks;
+};
+
+ImportOptions optionsOf(const ModalRequest& request, std::size_t file, std::size_t files) {
+  ImportOptions options = request.import;
+  if (files > 1 && options.axes.size() == files) options.axes = {request.import.axes[file]};
+  return options;
+}
+
+Result<Sorted> readAll(const std::vector<std::string>& paths, const ModalRequest& request) {
+  Sorted sorted;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    auto measured = importMeasurement(paths[i], optionsOf(request, i, paths.size()));
+    if (!measured) return measured.error();
+    for (Message& remark : measured->remarks) {
+      const bool said = std::find(sorted.remarks.begin(), sorted.remarks.end(), remark) != sorted.remarks.end();
+      if (!said) sorted.remarks.push_back(std::move(remark));
+    }
+    if (auto* records = std::get_if<std::vector<HammerRecord>>(&measured->data)) {
+      for (HammerRecord& record : *records) sorted.records[record.axis].push_back(std::move(record));
+    } else {
+      for (Frf& frf : std::get<std::vector<Frf>>(measured->data)) sorted.frfs[frf.axis].push_back(std::move(frf));
     }
   }
-  auto fit = fitModes(frf, request.fit);
-  if (!fit) return fit.error();
-  remark(fit->remarks);
-  answer.fit = std::move(*fit);
+  return sorted;
+}
+
+// Frequency responses come averaged: two of one axis are two structures, or two states of one.
+Result<AxisModes> fromFrf(std::vector<Frf> frfs, const HammerOptions& options) {
+  if (frfs.size() > 1) {
+    return Error{frfs[1].source, message("is a second frequency response of the axis of %1", frfs[0].source),
+                 message("name one file for each axis, as --axis x,y")};
+  }
+  AxisModes axis;
+  axis.frf = std::move(frfs.front());
+  axis.axis = axis.frf.axis;
+  if (options.flipResponse) {
+    for (auto& v : axis.frf.value) v = -v;
+  }
+  return axis;
+}
+
+Result<AxisModes> fromHammer(const std::vector<HammerRecord>& records, const HammerOptions& options) {
+  auto analysed = analyseHammer(records, options);
+  if (!analysed) return analysed.error();
+  AxisModes axis;
+  axis.axis = records.front().axis;
+  axis.fromHammer = true;
+  axis.hits = std::move(analysed->hits);
+  axis.remarks = std::move(analysed->remarks);
+  axis.frf = std::move(analysed->frf);
+  return axis;
+}
+
+}  // namespace
+
+Result<ModalAnswer> measureResponses(const std::vector<std::string>& paths, const ModalRequest& request) {
+  const std::size_t axes = request.import.axes.size();
+  if (paths.size() > 1 && axes > 1 && axes != paths.size() && axes != 2) {
+    return Error{message("--axis"), message("names %1 axes for %2 files", axes, paths.size()),
+                 message("one for all, or one for each file")};
+  }
+  auto sorted = readAll(paths, request);
+  if (!sorted) return sorted.error();
+  ModalAnswer answer;
+  answer.remarks = std::move(sorted->remarks);
+  for (auto& [axis, frfs] : sorted->frfs) {
+    if (sorted->records.contains(axis)) {
+      return Error{frfs[0].source, message("is a frequency response beside hammer records of the same axis"),
+                   message("name either of them")};
+    }
+    auto one = fromFrf(std::move(frfs), request.hammer);
+    if (!one) return one.error();
+    answer.axes.push_back(std::move(*one));
+  }
+  for (const auto& [axis, records] : sorted->records) {
+    auto one = fromHammer(records, request.hammer);
+    if (!one) return one.error();
+    answer.axes.push_back(std::move(*one));
+  }
+  std::sort(answer.axes.begin(), answer.axes.end(),
+            [](const AxisModes& a, const AxisModes& b) { return a.axis < b.axis; });
+  return answer;
+}
+
+Result<ModalAnswer> identifyModes(const std::vector<std::string>& paths, const ModalRequest& request) {
+  auto answer = measureResponses(paths, request);
+  if (!answer) return answer;
+  for (AxisModes& axis : answer->axes) {
+    if (!axis.frf.unitKnown) {
+      auto unit = unitByStiffness(axis.frf, request.fit);
+      if (!unit) return unit.error();
+      for (auto& v : axis.frf.value) v *= unit->factor;
+      axis.frf.unitKnown = true;
+      axis.remarks.push_back(std::move(unit->remark));
+    }
+    auto fit = fitModes(axis.frf, request.fit);
+    if (!fit) return fit.error();
+    axis.remarks.insert(axis.remarks.end(), fit->remarks.begin(), fit->remarks.end());
+    axis.fit = std::move(*fit);
+  }
   return answer;
 }
 

@@ -1,4 +1,5 @@
-// From a tap test's file to modes in one call: import, hammer analysis where the file holds a hammer record, fit.
+// From the files of a tap test to modes in one call: import, hammer analysis where the files hold hammer records, fit;
+// for each axis by itself.
 // Thread: any, set-up path.
 #pragma once
 
@@ -7,24 +8,36 @@
 
 #include "core/base/result.h"
 #include "core/milling/identify/hammer.h"
-#include "core/milling/identify/measurement_import.h"
+#include "core/milling/identify/import/measurement_import.h"
 #include "core/milling/identify/modal_fit.h"
 
 namespace stillcut::identify {
 
 struct ModalRequest {
-  ImportOptions import;
+  ImportOptions import;  // as many axes as files: one each, in their order
   HammerOptions hammer;  // its flipResponse also turns an imported frequency response
   ModalOptions fit;
 };
 
-struct ModalAnswer {
+// What was found along one axis.
+struct AxisModes {
+  Axis axis = Axis::Unknown;  // neither the files nor the request said
+  Frf frf;                    // as analysed, with its coherence
   ModalFit fit;
   bool fromHammer = false;
-  std::vector<Hit> hits;             // of a hammer record
-  std::vector<std::string> remarks;  // of all three steps, one line each
+  std::vector<Hit> hits;         // of the hammer records
+  std::vector<Message> remarks;  // of analysis and fit, one line each
 };
 
-Result<ModalAnswer> identifyModes(const std::string& path, const ModalRequest& request);
+struct ModalAnswer {
+  std::vector<AxisModes> axes;   // rising, at least one
+  std::vector<Message> remarks;  // of reading the files
+};
+
+// Hammer records of one axis are averaged over all files. Error: one line with file and cause.
+Result<ModalAnswer> identifyModes(const std::vector<std::string>& paths, const ModalRequest& request);
+
+// The frequency response along each axis, without a fit: for what is made of it elsewhere.
+Result<ModalAnswer> measureResponses(const std::vector<std::string>& paths, const ModalRequest& request);
 
 }  // namespace stillcut::identify

@@ -22,8 +22,9 @@ struct ModesFile {
   std::string source;                 // the measurement
   double from = 0.0;                  // band fitted [Hz]
   double to = 0.0;
-  double misfit = 0.0;      // relative, complex constants
-  double realMisfit = 0.0;  // relative, real modes
+  double misfit = 0.0;         // relative, complex constants
+  double realMisfit = 0.0;     // relative, real modes and residuals
+  double writtenMisfit = 0.0;  // relative, the modes as they stand in the file
 };
 
 struct MaterialFile {
@@ -34,6 +35,8 @@ struct MaterialFile {
 
 // The fit as a file's content; `direction` is where the hammer hit in x and y.
 ModesFile modesFile(const ModalFit& fit, const std::string& source, std::array<double, 2> direction);
+// The modes of both; band and misfits are the wider and the larger ones.
+ModesFile joined(ModesFile first, const ModesFile& second);
 MaterialFile materialFile(const CuttingCoefficients& coefficients, const std::string& source);
 
 std::string modesFileText(const ModesFile& file);

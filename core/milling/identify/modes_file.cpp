@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -59,6 +60,7 @@ void readFit(const TomlTable& t, ModesFile& file) {
   file.to = t.numberOr("to_hz", 0.0, 0.0, 1e9);
   file.misfit = t.numberOr("misfit", 0.0, 0.0, 1e9);
   file.realMisfit = t.numberOr("real_misfit", 0.0, 0.0, 1e9);
+  file.writtenMisfit = t.numberOr("written_misfit", 0.0, 0.0, 1e9);
   for (const Column& column : columns()) {
     if (!t.has(column.key)) continue;
     const std::vector<double> values = t.numbers(column.key);
@@ -94,9 +96,20 @@ Result<ModesFile> read(const TomlReader& in) {
 }  // namespace
 
 ModesFile modesFile(const ModalFit& fit, const std::string& source, std::array<double, 2> direction) {
-  ModesFile file{fit.modes, source, fit.from, fit.to, fit.misfit, fit.realMisfit};
+  ModesFile file{fit.modes, source, fit.from, fit.to, fit.misfit, fit.realMisfit, fit.writtenMisfit};
   for (IdentifiedMode& m : file.modes) m.mode.direction = direction;
   return file;
+}
+
+ModesFile joined(ModesFile first, const ModesFile& second) {
+  first.modes.insert(first.modes.end(), second.modes.begin(), second.modes.end());
+  if (first.source != second.source) first.source += ", " + second.source;
+  first.from = std::min(first.from, second.from);
+  first.to = std::max(first.to, second.to);
+  first.misfit = std::max(first.misfit, second.misfit);
+  first.realMisfit = std::max(first.realMisfit, second.realMisfit);
+  first.writtenMisfit = std::max(first.writtenMisfit, second.writtenMisfit);
+  return first;
 }
 
 std::string modesFileText(const ModesFile& file) {
@@ -107,13 +120,15 @@ std::string modesFileText(const ModesFile& file) {
     text += notes.content() + milling::modesText({m.mode});
   }
   config::TomlWriter fit;
-  fit.comment("misfit: " + percent(file.misfit) + " of the response, " + percent(file.realMisfit) + " with real modes");
+  fit.comment("misfit of these modes: " + percent(file.writtenMisfit) + " of the response; with residuals " +
+              percent(file.realMisfit) + ", with complex shapes too " + percent(file.misfit));
   fit.table("modal_fit");
   fit.text("source", file.source);
   fit.number("from_hz", file.from);
   fit.number("to_hz", file.to);
   fit.number("misfit", file.misfit);
   fit.number("real_misfit", file.realMisfit);
+  fit.number("written_misfit", file.writtenMisfit);
   text += fit.content();
   std::vector<IdentifiedMode> modes = file.modes;
   for (const Column& column : columns()) {

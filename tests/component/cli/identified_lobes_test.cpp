@@ -60,7 +60,7 @@ TEST_F(IdentifiedLobes, ATapTestGivesTheLimitsOfTheStructureThatWasTapped) {
   writeTap("tap.txt");
   folder_.file("true.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
   folder_.file("cut.toml", std::string(kToolAndCut) + kAluminium);
-  run({"modal", "tap.txt", "--axis", "x", "--out", "modes.toml"});
+  run({"modal", "tap.txt", "--unit", "m/N", "--axis", "x", "--out", "modes.toml"});
   const std::vector<std::string> range{"--speeds", "6000:24000:2000"};
   const auto with = [&](std::vector<std::string> a) {
     a.insert(a.end(), range.begin(), range.end());
@@ -102,7 +102,8 @@ TEST_F(IdentifiedLobes, TheSharedTapTestAndSlotForcesGoAllTheWay) {
   const std::filesystem::path shared = std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings";
   if (!std::filesystem::exists(shared)) GTEST_SKIP() << "not here: " << shared;
   run({"modal", shared / "tap_test/Point_1_Channel_1_CH1.txt", "--axis", "x", "--out", "x.toml"});
-  run({"modal", shared / "tap_test/impact_time_Point1_Channel1_CH1.txt", "--axis", "y", "--out", "y.toml"});
+  run({"modal", shared / "tap_test/impact_time_Point1_Channel1_CH1.txt", "--axis", "y", "--out", "y.toml",
+       "--force-unit", "N", "--response-unit", "m/s^2"});
   run({"coefficients", shared / "slot_force/6-n6000f300ap3ae25.csv", shared / "slot_force/6-n6000f900ap3ae25.csv",
        "--speed", "6000", "--teeth", "2", "--depth", "3", "--feed", "300,900", "--out", "material.toml"});
   folder_.file("cut.toml", kToolAndCut);

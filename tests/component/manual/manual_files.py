@@ -23,7 +23,7 @@ def short_demo(top):
 
 def tap():
     """Compliance of one mode, frequency by frequency."""
-    rows = []
+    rows = ["Frequency [Hz]\tReal [m/N]\tImag [m/N]"]
     for hertz in range(300, 3001):
         ratio = hertz / 950.0
         h = 1.0 / (3e6 * complex(1.0 - ratio * ratio, 2.0 * 0.02 * ratio))

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <random>
 
-#include "core/milling/identify/file_bytes.h"
+#include "core/milling/identify/import/file_bytes.h"
 #include "tests/support/uff_dataset.h"
 
 namespace stillcut::uff {

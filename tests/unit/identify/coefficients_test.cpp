@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <random>
 
-#include "core/milling/identify/file_bytes.h"
-#include "core/milling/identify/number_table.h"
+#include "core/milling/identify/import/file_bytes.h"
+#include "core/milling/identify/import/number_table.h"
 
 namespace stillcut::identify {
 namespace {
@@ -224,8 +224,8 @@ class SlotForce : public testing::Test {
     const auto table = parseNumberTable(*bytes, name, 4);
     EXPECT_TRUE(table.ok()) << table.error().line();
     const auto& c = table->columns;
-    const auto m =
-        meanOverRevolutions({c[1], c[2], c[3]}, 10000.0, Rpm(6000), feedMmPerMin / 6000.0 / 2.0 * 1e-3, name);
+    const auto m = meanOverRevolutions({c[1].real, c[2].real, c[3].real}, 10000.0, Rpm(6000),
+                                       feedMmPerMin / 6000.0 / 2.0 * 1e-3, name);
     EXPECT_TRUE(m.ok()) << m.error().line();
     return *m;
   }

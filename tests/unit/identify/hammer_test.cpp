@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <string_view>
 
 #include "core/base/units.h"
 
@@ -93,7 +95,7 @@ double worstError(const Frf& frf, double from, double to) {
 TEST(Hammer, OneHitGivesTheExactResponse) {
   Structure s(1.0);
   s.hit(0.1, 200.0);
-  const auto got = analyseHammer(s.record(), {});
+  const auto got = analyseHammer({s.record()}, {});
   ASSERT_TRUE(got.ok()) << got.error().line();
   ASSERT_EQ(got->hits.size(), 1u);
   EXPECT_TRUE(got->hits[0].used);
@@ -112,7 +114,7 @@ TEST(Hammer, ExponentialWindowIsPartOfTheResult) {
   HammerOptions options;
   options.exponentialEnd = 1e-3;
   options.forceWindow = 2e-3;
-  const auto got = analyseHammer(s.record(), options);
+  const auto got = analyseHammer({s.record()}, options);
   ASSERT_TRUE(got.ok()) << got.error().line();
   EXPECT_NEAR(got->frf.addedDecay, 6.9 / 0.14, 3.0);
   EXPECT_LT(worstError(got->frf, 200.0, 800.0), 1e-2);
@@ -121,7 +123,7 @@ TEST(Hammer, ExponentialWindowIsPartOfTheResult) {
 TEST(Hammer, AverageOfHitsLowersNoiseAndGivesCoherence) {
   Structure s(5.0);
   for (int i = 0; i < 10; ++i) s.hit(0.1 + 0.5 * i, 150.0 + 10 * i);
-  const auto noisy = analyseHammer(s.record(3.0), {});
+  const auto noisy = analyseHammer({s.record(3.0)}, {});
   ASSERT_TRUE(noisy.ok()) << noisy.error().line();
   EXPECT_EQ(noisy->averages, 10);
   ASSERT_EQ(noisy->frf.coherence.size(), noisy->frf.frequency.size());
@@ -132,7 +134,7 @@ TEST(Hammer, AverageOfHitsLowersNoiseAndGivesCoherence) {
   for (const double c : noisy->frf.coherence) EXPECT_TRUE(c >= 0.0 && c <= 1.0);
   Structure one(0.5);
   one.hit(0.1, 190.0);
-  const auto single = analyseHammer(one.record(3.0), {});
+  const auto single = analyseHammer({one.record(3.0)}, {});
   ASSERT_TRUE(single.ok());
   EXPECT_LT(worstError(noisy->frf, 300.0, 500.0), 0.6 * worstError(single->frf, 300.0, 500.0));
 }
@@ -142,24 +144,24 @@ TEST(Hammer, DoubleHitIsLeftOutAndNamed) {
   s.hit(0.1, 200.0);
   s.hit(1.0, 200.0);
   s.hit(1.02, 60.0);
-  const auto got = analyseHammer(s.record(), {});
+  const auto got = analyseHammer({s.record()}, {});
   ASSERT_TRUE(got.ok()) << got.error().line();
   ASSERT_EQ(got->hits.size(), 2u);
   EXPECT_FALSE(got->hits[0].doubleHit);
   EXPECT_TRUE(got->hits[1].doubleHit);
   EXPECT_FALSE(got->hits[1].used);
   EXPECT_EQ(got->averages, 1);
-  EXPECT_EQ(got->remarks.front(), "hit 2 left out: double hit");
+  EXPECT_EQ(text(got->remarks.front()), "hit 2 left out: double hit");
   HammerOptions keep;
   keep.useDoubleHits = true;
-  EXPECT_EQ(analyseHammer(s.record(), keep)->averages, 2);
+  EXPECT_EQ(analyseHammer({s.record()}, keep)->averages, 2);
 }
 
 TEST(Hammer, WeakReboundIsADoubleHitToo) {
   Structure s(1.0);
   s.hit(0.1, 200.0);
   s.hit(0.13, 14.0);  // below the trigger, above the 4 % that matter
-  const auto got = analyseHammer(s.record(), {});
+  const auto got = analyseHammer({s.record()}, {});
   ASSERT_FALSE(got.ok());
   EXPECT_NE(got.error().line().find("double hit"), std::string::npos) << got.error().line();
 }
@@ -169,31 +171,101 @@ TEST(Hammer, OverloadIsSeenByItsFlatTopOrByTheLimit) {
   s.hit(0.1, 200.0, 2e-3);
   HammerRecord clipped = s.record();
   for (double& v : clipped.force) v = std::min(v, 150.0);
-  const auto flat = analyseHammer(clipped, {});
+  const auto flat = analyseHammer({clipped}, {});
   ASSERT_FALSE(flat.ok());
   EXPECT_NE(flat.error().line().find("overload"), std::string::npos) << flat.error().line();
   HammerOptions limit;
   limit.overload = 180.0;
-  EXPECT_FALSE(analyseHammer(s.record(), limit).ok());
+  EXPECT_FALSE(analyseHammer({s.record()}, limit).ok());
   limit.overload = 1e9;
-  EXPECT_TRUE(analyseHammer(s.record(), limit).ok());
+  EXPECT_TRUE(analyseHammer({s.record()}, limit).ok());
   HammerRecord accelerometer = s.record();
   for (double& v : accelerometer.response) v = std::clamp(v, -40.0, 40.0);
-  EXPECT_FALSE(analyseHammer(accelerometer, {}).ok());
+  EXPECT_FALSE(analyseHammer({accelerometer}, {}).ok());
 }
 
-TEST(Hammer, FlippedChannelsAreTurnedOnRequest) {
+bool says(const HammerResult& result, std::string_view what) {
+  return std::any_of(result.remarks.begin(), result.remarks.end(),
+                     [what](const Message& m) { return text(m).find(what) != std::string::npos; });
+}
+
+TEST(Hammer, AForceThatCountsAPushAsNegativeIsTurnedAndSaid) {
   Structure s(0.5);
   s.hit(0.1, 200.0);
   HammerRecord record = s.record();
   for (double& v : record.force) v = -v;
-  const auto refused = analyseHammer(record, {});
-  ASSERT_FALSE(refused.ok());
   HammerOptions flip;
   flip.flipForce = true;
-  const auto got = analyseHammer(record, flip);
+  for (const HammerOptions& options : {HammerOptions{}, flip}) {
+    const auto got = analyseHammer({record}, options);
+    ASSERT_TRUE(got.ok()) << got.error().line();
+    EXPECT_LT(worstError(got->frf, 100.0, 1000.0), 5e-3);
+    EXPECT_EQ(says(*got, "negative: turned"), !options.flipForce);
+  }
+}
+
+TEST(Hammer, AnAccelerometerAgainstTheForceIsTurnedAndSaid) {
+  Structure s(0.5);
+  s.hit(0.1, 200.0);
+  HammerRecord record = s.record();
+  for (double& v : record.response) v = -v;
+  const auto got = analyseHammer({record}, {});
   ASSERT_TRUE(got.ok()) << got.error().line();
   EXPECT_LT(worstError(got->frf, 100.0, 1000.0), 5e-3);
+  EXPECT_TRUE(says(*got, "points against the force: turned"));
+  EXPECT_FALSE(says(*analyseHammer({s.record()}, {}), "turned"));
+}
+
+TEST(Hammer, HitsOfSeveralRecordsAreAveragedAndNumberedOn) {
+  Structure first(1.0);
+  first.hit(0.1, 200.0);
+  Structure second(1.2);
+  second.hit(0.2, 150.0);
+  second.hit(0.7, 100.0);
+  const std::vector<HammerRecord> records{first.record(1.0, 1), second.record(1.0, 2)};
+  const auto all = analyseHammer(records, {});
+  ASSERT_TRUE(all.ok()) << all.error().line();
+  EXPECT_EQ(all->averages, 3);
+  EXPECT_EQ(all->hits[2].record, 1u);
+  EXPECT_FALSE(all->frf.coherence.empty());
+  HammerOptions without;
+  without.without = {2};
+  const auto fewer = analyseHammer(records, without);
+  ASSERT_TRUE(fewer.ok()) << fewer.error().line();
+  EXPECT_EQ(fewer->averages, 2);
+  EXPECT_FALSE(fewer->hits[1].used);
+  EXPECT_TRUE(says(*fewer, "hit 2 left out: as asked"));
+  without.without = {4};
+  EXPECT_EQ(analyseHammer(records, without).error().line(), "synthetic: there is no hit 4 (it holds 3 hits)");
+  std::vector<HammerRecord> other = records;
+  other[1].rate *= 2.0;
+  EXPECT_FALSE(analyseHammer(other, {}).ok());
+}
+
+TEST(Hammer, TheTwoEstimatesEncloseTheTruthWhereTheResponseIsNoisy) {
+  Structure s(5.0);
+  for (int i = 0; i < 10; ++i) s.hit(0.1 + 0.5 * i, 150.0 + 10 * i);
+  HammerOptions second;
+  second.estimate = FrfEstimate::H2;
+  const auto h1 = analyseHammer({s.record(20.0)}, {});
+  const auto h2 = analyseHammer({s.record(20.0)}, second);
+  ASSERT_TRUE(h1.ok() && h2.ok());
+  // |H1| = coherence |H2| on every line; at the resonance H1 is the one without bias.
+  for (std::size_t k = 10; k < 1000; ++k) {
+    EXPECT_NEAR(std::abs(h1->frf.value[k]), h1->frf.coherence[k] * std::abs(h2->frf.value[k]),
+                1e-6 * std::abs(h2->frf.value[k]));
+  }
+}
+
+TEST(Hammer, ARingingThatIsCutOffIsSaid) {
+  Structure s(0.03);
+  s.hit(0.005, 200.0);
+  const auto cut = analyseHammer({s.record()}, {});
+  ASSERT_TRUE(cut.ok()) << cut.error().line();
+  EXPECT_TRUE(says(*cut, "still rings"));
+  HammerOptions window;
+  window.exponentialEnd = 0.01;
+  EXPECT_FALSE(says(*analyseHammer({s.record()}, window), "still rings"));
 }
 
 TEST(Hammer, NonsenseIsRefused) {
@@ -201,19 +273,19 @@ TEST(Hammer, NonsenseIsRefused) {
   s.hit(0.1, 200.0);
   HammerRecord bad = s.record();
   bad.rate = 0.0;
-  EXPECT_FALSE(analyseHammer(bad, {}).ok());
+  EXPECT_FALSE(analyseHammer({bad}, {}).ok());
   bad = s.record();
   bad.response.pop_back();
-  EXPECT_FALSE(analyseHammer(bad, {}).ok());
+  EXPECT_FALSE(analyseHammer({bad}, {}).ok());
   bad = s.record();
   bad.response[7] = NAN;
-  EXPECT_FALSE(analyseHammer(bad, {}).ok());
+  EXPECT_FALSE(analyseHammer({bad}, {}).ok());
   bad = s.record();
   std::fill(bad.force.begin(), bad.force.end(), 0.0);
-  EXPECT_FALSE(analyseHammer(bad, {}).ok());
+  EXPECT_FALSE(analyseHammer({bad}, {}).ok());
   HammerOptions options;
   options.exponentialEnd = 0.0;
-  EXPECT_FALSE(analyseHammer(s.record(), options).ok());
+  EXPECT_FALSE(analyseHammer({s.record()}, options).ok());
 }
 
 }  // namespace

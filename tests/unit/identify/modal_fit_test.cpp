@@ -8,6 +8,7 @@
 
 #include "core/milling/identify/modal_band.h"
 #include "core/milling/identify/modal_measurement.h"
+#include "core/session/open_recording.h"
 
 namespace stillcut::identify {
 namespace {
@@ -198,10 +199,70 @@ TEST(ModalBand, SpansTheResonancesAndNotTheNoise) {
     frf.value[i] += 1e-3 / (f * f * f) * gauss(random);
     if (f > 2500) frf.value[i] += 2e-7 * gauss(random);
   }
-  const auto band = resonantBand(frf);
+  const auto band = resonantBand(frf, findResonances(frf), {});
   ASSERT_TRUE(band.ok()) << band.error().line();
   EXPECT_NEAR(band->from, 220.0, 5.0);
   EXPECT_NEAR(band->to, 1080.0, 10.0);
+}
+
+TEST(ModalBand, IsChosenByTheNegativeRealPart) {
+  // In mobility the mode at 100 Hz is a tenth of the other; in the compliance that limits the cut it is the deepest.
+  const std::vector<Mode> truth = {mode(100, 0.04, 3.6e6), mode(3000, 0.02, 2e7)};
+  const auto fit = fitModes(compliance(truth, 10, 3600, 1, {0.001, 4}), {});
+  expectModes(fit, truth, 1e-3, 0.02, 0.02);
+  EXPECT_NEAR(fit->modes[0].depth, 1.0 / (4 * 3.6e6 * 0.04 * 1.04), 0.02 * fit->modes[0].depth);
+}
+
+TEST(ModalBand, WhatIsLeftOutIsNamedWithItsSize) {
+  ModalOptions options;
+  options.from = 1000;
+  const auto fit = fitModes(compliance({mode(400, 0.03, 1e7), mode(1500, 0.02, 3e7)}, 10, 2500, 1), options);
+  ASSERT_TRUE(fit.ok()) << fit.error().line();
+  ASSERT_EQ(fit->modes.size(), 1u);
+  ASSERT_FALSE(fit->remarks.empty());
+  const std::string said = text(fit->remarks.front());
+  EXPECT_NE(said.find("a resonance at 399 Hz"), std::string::npos) << said;
+  EXPECT_NE(said.find("is 100 % of the deepest"), std::string::npos) << said;
+}
+
+TEST(ModalBand, AFreeEndIsThatOfTheResonancesOnItsSide) {
+  const Frf frf = compliance({mode(400, 0.03, 1e7), mode(1500, 0.02, 3e7)}, 10, 2500, 1);
+  ModalOptions above;
+  above.from = 1000;
+  const auto high = fitModes(frf, above);
+  ASSERT_TRUE(high.ok()) << high.error().line();
+  EXPECT_NEAR(high->to, 1800.0, 10.0);
+  ModalOptions below;
+  below.to = 800;
+  const auto low = fitModes(frf, below);
+  ASSERT_TRUE(low.ok()) << low.error().line();
+  EXPECT_NEAR(low->from, 220.0, 5.0);
+  ModalOptions flank;  // no resonance above 1600 Hz: the end of the measurement
+  flank.from = 1600;
+  const auto end = fitModes(frf, flank);
+  EXPECT_TRUE(end.ok() ? end->to == 2500.0 : end.error().line().find("physical mode") != std::string::npos);
+}
+
+TEST(ModalFit, TheMisfitStatedIsThatOfTheModesWritten) {
+  // A stiff mode above the band gives a residual that a file of modes does not hold.
+  const std::vector<Mode> truth = {mode(400, 0.03, 1e7), mode(6000, 0.02, 1.5e7)};
+  ModalOptions options;
+  options.from = 200;
+  options.to = 800;
+  const Frf frf = compliance(truth, 10, 1000, 1);
+  const auto fit = fitModes(frf, options);
+  ASSERT_TRUE(fit.ok()) << fit.error().line();
+  EXPECT_LT(fit->realMisfit, 0.001);
+  double off = 0.0;
+  double whole = 0.0;
+  const Frf alone = compliance({fit->modes[0].mode}, 10, 1000, 1);
+  for (std::size_t i = 0; i < frf.value.size(); ++i) {
+    if (frf.frequency[i] < 200 || frf.frequency[i] > 800) continue;
+    off += std::norm(alone.value[i] - frf.value[i]);
+    whole += std::norm(frf.value[i]);
+  }
+  EXPECT_GT(fit->writtenMisfit, 0.05);
+  EXPECT_NEAR(fit->writtenMisfit, std::sqrt(off / whole), 1e-6);
 }
 
 class TapTest : public testing::TestWithParam<const char*> {
@@ -210,6 +271,18 @@ class TapTest : public testing::TestWithParam<const char*> {
     if (!std::filesystem::exists(path())) GTEST_SKIP() << "reference recording absent: " << path();
   }
   std::string path() const { return std::string(STILLCUT_SHARED_DIR "/recordings/tap_test/") + GetParam(); }
+
+  // Neither file says a unit.
+  static ModalRequest units() {
+    ModalRequest request;
+    request.import.unit = "m/N";
+    request.import.forceUnit = "N";
+    request.import.responseUnit = "m/s^2";
+    request.import.open = [](const std::string& file, const record::ReadOptions& o) {
+      return record::openRecording(file, o);
+    };
+    return request;
+  }
 
   static void expectFive(const ModalFit& fit) {
     ASSERT_EQ(fit.modes.size(), 5u);
@@ -229,29 +302,30 @@ class TapTest : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(TapTest, FiveModesInTheStatedBand) {
-  ModalRequest request;
+  ModalRequest request = units();
   request.fit.from = 600;
   request.fit.to = 3100;
-  const auto got = identifyModes(path(), request);
+  const auto got = identifyModes({path()}, request);
   ASSERT_TRUE(got.ok()) << got.error().line();
-  expectFive(got->fit);
+  expectFive(got->axes[0].fit);
 }
 
-TEST_P(TapTest, FiveModesWithNothingSaid) {
-  const auto got = identifyModes(path(), {});
+TEST_P(TapTest, FiveModesWithoutABand) {
+  const auto got = identifyModes({path()}, units());
   ASSERT_TRUE(got.ok()) << got.error().line();
-  expectFive(got->fit);
-  if (!got->fromHammer) return;
-  ASSERT_EQ(got->hits.size(), 1u);
-  EXPECT_NEAR(got->hits[0].peakForce, 249.7, 0.1);
-  EXPECT_FALSE(got->hits[0].doubleHit);
-  EXPECT_FALSE(got->hits[0].overload);
+  const AxisModes& axis = got->axes[0];
+  expectFive(axis.fit);
+  if (!axis.fromHammer) return;
+  ASSERT_EQ(axis.hits.size(), 1u);
+  EXPECT_NEAR(axis.hits[0].peakForce, 249.7, 0.1);
+  EXPECT_FALSE(axis.hits[0].doubleHit);
+  EXPECT_FALSE(axis.hits[0].forceOverload || axis.hits[0].responseOverload);
 }
 
 TEST_P(TapTest, TurnedAccelerometerIsNamedAndTurnedBack) {
-  ModalRequest request;
+  ModalRequest request = units();
   request.hammer.flipResponse = true;
-  const auto got = identifyModes(path(), request);
+  const auto got = identifyModes({path()}, request);
   ASSERT_FALSE(got.ok());
   EXPECT_NE(got.error().line().find("flip"), std::string::npos) << got.error().line();
 }

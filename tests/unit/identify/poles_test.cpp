@@ -7,9 +7,9 @@
 #include <random>
 
 #include "core/milling/identify/frf.h"
+#include "core/milling/identify/import/unit_label.h"
 #include "core/milling/identify/lscf.h"
 #include "core/milling/identify/mean_force.h"
-#include "core/milling/identify/unit_label.h"
 
 namespace stillcut::identify {
 namespace {

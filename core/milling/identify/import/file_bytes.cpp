@@ -1,4 +1,4 @@
-#include "core/milling/identify/file_bytes.h"
+#include "core/milling/identify/import/file_bytes.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,0 +1,94 @@
+#include "core/milling/identify/import/direct_responses.h"
+
+#include <algorithm>
+
+namespace stillcut::identify {
+namespace {
+
+std::string listOf(const std::vector<OfferedResponse>& offered) {
+  std::string all;
+  for (const OfferedResponse& o : offered) {
+    std::string one = "'" + o.name + "'";
+    if (o.along != Axis::Unknown) one += " along " + std::string(name(o.along));
+    all += (all.empty() ? "" : ", ") + one;
+  }
+  return all;
+}
+
+bool isCross(const OfferedResponse& o) {
+  return o.along != Axis::Unknown && o.force != Axis::Unknown && o.along != o.force;
+}
+
+// Indices of what may be the direct response along `axis`.
+std::vector<std::size_t> along(const std::vector<OfferedResponse>& offered, Axis axis) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < offered.size(); ++i) {
+    if (offered[i].along == axis) found.push_back(i);
+  }
+  // A direct one makes its cross ones superfluous; where a record's one force is said to be along another axis, the
+  // person who asks for this one knows better.
+  std::vector<std::size_t> direct;
+  std::copy_if(found.begin(), found.end(), std::back_inserter(direct),
+               [&](std::size_t i) { return !isCross(offered[i]); });
+  return direct.empty() ? found : direct;
+}
+
+Error ambiguous(const std::vector<OfferedResponse>& offered, const std::string& where, const std::string& option) {
+  return Error{where, message("holds %1 responses: %2", std::to_string(offered.size()), listOf(offered)),
+               message("name the one along the hit with %1, or the axis of the hit with --axis x, y or x,y", option)};
+}
+
+Result<Choice> choose(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& axes,
+                      const std::string& where, const std::string& option) {
+  Choice choice;
+  for (const Axis axis : axes) {
+    std::vector<std::size_t> found = along(offered, axis);
+    const bool alone = offered.size() == 1 && axes.size() == 1 && offered[0].along == Axis::Unknown;
+    if (found.empty() && alone) found.push_back(0);
+    if (found.empty()) {
+      return Error{where, message("holds no response along %1", std::string(name(axis))),
+                   message("it holds %1", listOf(offered))};
+    }
+    if (found.size() > 1) return ambiguous(offered, where, option);
+    choice.responses.push_back({found[0], axis});
+  }
+  return choice;
+}
+
+// The axes that have a direct response, z aside: the tool does not chatter along its own axis in this model.
+std::vector<Axis> axesOf(const std::vector<OfferedResponse>& offered) {
+  std::vector<Axis> axes;
+  for (const Axis axis : {Axis::X, Axis::Y}) {
+    const bool any = std::any_of(offered.begin(), offered.end(),
+                                 [&](const OfferedResponse& o) { return o.along == axis && !isCross(o); });
+    if (any) axes.push_back(axis);
+  }
+  return axes;
+}
+
+}  // namespace
+
+Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& wanted,
+                               const std::string& where, const std::string& option) {
+  std::vector<Axis> axes = wanted;
+  const bool forceKnown =
+      std::all_of(offered.begin(), offered.end(), [](const OfferedResponse& o) { return o.force != Axis::Unknown; });
+  if (axes.empty() && offered.size() == 1) axes = {offered[0].along};
+  if (axes.empty() && forceKnown) axes = axesOf(offered);
+  if (axes.empty()) return ambiguous(offered, where, option);
+  std::sort(axes.begin(), axes.end());
+  auto choice = choose(offered, axes, where, option);
+  if (!choice) return choice;
+  std::vector<std::string> left;
+  for (std::size_t i = 0; i < offered.size(); ++i) {
+    const bool taken = std::any_of(choice->responses.begin(), choice->responses.end(),
+                                   [i](const ChosenResponse& c) { return c.offered == i; });
+    if (!taken) left.push_back(offered[i].name);
+  }
+  std::string names;
+  for (const std::string& one : left) names += (names.empty() ? "'" : ", '") + one + "'";
+  if (!left.empty()) choice->remarks.push_back(message("not used: %1", names));
+  return choice;
+}
+
+}  // namespace stillcut::identify

@@ -1,0 +1,34 @@
+// Which of several responses are wanted: those along an axis, direct ones before cross ones.
+// Pure: any thread; set-up, not real-time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/milling/identify/axis.h"
+
+namespace stillcut::identify {
+
+struct OfferedResponse {
+  std::string name;            // as the file calls it
+  Axis along = Axis::Unknown;  // of the response
+  Axis force = Axis::Unknown;  // of the force; Unknown: the file does not say
+};
+
+struct ChosenResponse {
+  std::size_t offered = 0;  // index
+  Axis axis = Axis::Unknown;
+};
+
+struct Choice {
+  std::vector<ChosenResponse> responses;  // rising in axis, at least one
+  std::vector<Message> remarks;           // what was left out
+};
+
+// `wanted` empty: every axis there is, as long as there is no doubt which response belongs to it. The error names the
+// responses and the option: `option` is what tells them apart in this kind of file ("--dataset", "--response").
+Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& wanted,
+                               const std::string& where, const std::string& option);
+
+}  // namespace stillcut::identify

@@ -1,0 +1,63 @@
+// From hammer and sensor to modes and to the tips of other tools, as a person runs it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <cstdio>
+
+#include "core/base/units.h"
+#include "tests/component/cli/in_folder.h"
+
+namespace stillcut::cli_test {
+namespace {
+
+using testing::HasSubstr;
+
+class TapTest : public InFolder {
+ protected:
+  // A mode of 800 Hz, 0.03 and `stiffness` in m/N, by its columns.
+  void writeFrf(const std::string& name, const std::string& header, double stiffness) {
+    std::string text = header;
+    for (double f = 100.0; f <= 2000.0; f += 2.0) {
+      const double r = f / 800.0;
+      const std::complex<double> h = 1.0 / (stiffness * std::complex<double>(1.0 - r * r, 0.06 * r));
+      char line[100];
+      std::snprintf(line, sizeof line, "%.1f,%.9e,%.9e\n", f, h.real(), h.imag());
+      text += line;
+    }
+    folder_.file(name, text);
+  }
+  Outcome outcome(const std::vector<std::string>& arguments) { return runCli(folder_ / "", arguments); }
+};
+
+TEST_F(TapTest, TwoFilesForTwoAxesBecomeOneFileOfModes) {
+  writeFrf("x.csv", "Frequency [Hz],Re [m/N],Im [m/N]\n", 1e7);
+  writeFrf("y.csv", "Frequency [Hz],Re [m/N],Im [m/N]\n", 2e7);
+  const std::string said = run({"modal", "x.csv", "y.csv", "--axis", "x,y", "--out", "modes.toml"});
+  EXPECT_THAT(said, HasSubstr("axis x"));
+  EXPECT_THAT(said, HasSubstr("axis y"));
+  const std::string file = content("modes.toml");
+  EXPECT_THAT(file, HasSubstr("direction = [1.0, 0.0]"));
+  EXPECT_THAT(file, HasSubstr("direction = [0.0, 1.0]"));
+  EXPECT_THAT(file, HasSubstr("written_misfit"));
+}
+
+TEST_F(TapTest, WhatTheFileDoesNotSayIsAskedForInOneLine) {
+  writeFrf("bare.csv", "", 1e6);
+  const Outcome asked = outcome({"modal", "bare.csv"});
+  EXPECT_EQ(asked.exitCode, 2);
+  EXPECT_THAT(asked.err, HasSubstr("give --unit"));
+  EXPECT_THAT(run({"modal", "bare.csv", "--unit", "m/N"}), HasSubstr("1.000e+06"));
+  EXPECT_THAT(run({"modal", "bare.csv", "--unit", "um/N"}), HasSubstr("1.000e+12"));
+}
+
+TEST_F(TapTest, AFreeEndOfTheBandNamesWhatItLeavesOut) {
+  writeFrf("x.csv", "Frequency [Hz],Re [m/N],Im [m/N]\n", 1e7);
+  EXPECT_THAT(run({"modal", "x.csv", "--band", "500:"}), HasSubstr("band 500 to"));
+  EXPECT_THAT(run({"modal", "x.csv", "--band", ":1000"}), HasSubstr("to 1000 Hz"));
+  EXPECT_EQ(outcome({"modal", "x.csv", "--band", "1000"}).exitCode, 2);
+}
+
+}  // namespace
+}  // namespace stillcut::cli_test

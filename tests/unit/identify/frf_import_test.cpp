@@ -1,0 +1,229 @@
+// Frequency responses from text and MATLAB files, whatever their columns, units and decimal signs.
+#include <gtest/gtest.h>
+#include <matio.h>
+
+#include "core/milling/identify/import/unit_label.h"
+#include "tests/unit/identify/import_files.h"
+
+namespace stillcut::identify {
+namespace {
+
+using namespace test;
+using Complex = std::complex<double>;
+
+class FrfImport : public testing::Test {
+ protected:
+  Result<Measurement> import(const std::string& content, const ImportOptions& o = options()) {
+    return importMeasurement(folder_.file("frf.txt", content), o);
+  }
+  // One response, right on every line after the file's own rounding.
+  static void expectRight(const Result<Measurement>& got, std::size_t i = 0) {
+    ASSERT_TRUE(got.ok()) << got.error().line();
+    const Frf si = toCompliance(frfOf(got, i));
+    ASSERT_GE(si.frequency.size(), 200u);
+    EXPECT_TRUE(si.unitKnown);
+    for (std::size_t k = 0; k < si.frequency.size(); ++k) {
+      ASSERT_NEAR(std::abs(si.value[k] / compliance(si.frequency[k]) - 1.0), 0.0, 1e-6) << si.frequency[k];
+    }
+  }
+  record::TempFolder folder_;
+};
+
+TEST(UnitLabel, KnowsTheUsualSpellings) {
+  EXPECT_DOUBLE_EQ(frfUnit("mm/N")->factor, 1e-3);
+  EXPECT_EQ(frfUnit("(m/s^2)/N")->quantity, FrfQuantity::Accelerance);
+  EXPECT_EQ(frfUnit("1/N*(m/s\xC2\xB2)")->quantity, FrfQuantity::Accelerance);
+  EXPECT_EQ(frfUnit("(m/s\xB2)/N")->quantity, FrfQuantity::Accelerance) << "Latin-1";
+  EXPECT_EQ(frfUnit("1/kg")->quantity, FrfQuantity::Accelerance);
+  EXPECT_EQ(frfUnit("m/s/N")->quantity, FrfQuantity::Mobility);
+  EXPECT_NEAR(frfUnit("g/lbf")->factor, 9.80665 / 4.4482216, 1e-6);
+  EXPECT_NEAR(frfUnit("in/s^2/lbf")->factor, 0.0254 / 4.4482216, 1e-9);
+  EXPECT_DOUBLE_EQ(responseUnit("\xC2\xB5m")->factor, 1e-6);
+  EXPECT_DOUBLE_EQ(frfUnit("MM/N")->factor, 1e-3) << "universal files write capitals";
+  EXPECT_DOUBLE_EQ(frfUnit("( g ) / ( lb )")->factor, frfUnit("g/lbf")->factor);
+  EXPECT_DOUBLE_EQ(*forceUnit("Newtons"), 1.0);
+  EXPECT_DOUBLE_EQ(*frequencyUnit("rad/s") * kTwoPi, 1.0);
+  EXPECT_FALSE(frfUnit("V/Pa"));
+  EXPECT_FALSE(frfUnit("m"));
+  EXPECT_FALSE(frfUnit("N/m"));
+}
+
+TEST(UnitLabel, SensitivitiesNeedBothUnits) {
+  EXPECT_DOUBLE_EQ(sensitivityFromText("2.25 mV/N")->voltsPerUnit, 2.25e-3);
+  EXPECT_NEAR(sensitivityFromText("10mV/lbf")->voltsPerUnit, 10e-3 / 4.4482216, 1e-9);
+  EXPECT_NEAR(sensitivityFromText("100mV/g")->voltsPerUnit, 0.1 / 9.80665, 1e-12);
+  EXPECT_EQ(sensitivityFromText("100 mV/g")->response, FrfQuantity::Accelerance);
+  EXPECT_FALSE(sensitivityFromText("100"));
+  EXPECT_FALSE(sensitivityFromText("0mV/N"));
+  EXPECT_FALSE(sensitivityFromText("5 N/mV"));
+}
+
+TEST_F(FrfImport, UnitsOfValueAndFrequencyComeFromTheHeader) {
+  const auto scaled = [](double f, double v) {
+    return [f, v](double hertz, Complex h) { return cells({f * hertz, v * h.real(), v * h.imag()}); };
+  };
+  expectRight(import(frfText("Frequency [Hz],Real [m/N],Imag [m/N]\n", scaled(1, 1))));
+  expectRight(import(frfText("Frequency [kHz],Real [mm/N],Imag [mm/N]\n", scaled(1e-3, 1e3))));
+  expectRight(import(frfText("omega [rad/s],Re [um/N],Im [um/N]\n", scaled(kTwoPi, 1e6))));
+  expectRight(import(frfText("X-Axis unit:\tHz\nY-Axis unit:\tmm/N\nX,Real,Imaginary\n", scaled(1, 1e3))));
+  expectRight(import(frfText("f,re,im\nkHz,um/N,um/N\n", scaled(1e-3, 1e6))));
+}
+
+TEST_F(FrfImport, AccelerancesAndMobilitiesBecomeTheSameCompliance) {
+  const auto derived = [](double f, Complex h, int times, double unit) {
+    const Complex s(0.0, kTwoPi * f);
+    const Complex v = h * (times == 1 ? s : s * s) / unit;
+    return cells({f, v.real(), v.imag()});
+  };
+  for (const auto& [unit, times, factor] :
+       {std::tuple{"(m/s\xB2)/N", 2, 1.0}, std::tuple{"1/kg", 2, 1.0}, std::tuple{"g/N", 2, 9.80665},
+        std::tuple{"in/s^2/lbf", 2, 0.0254 / 4.4482216152605}, std::tuple{"mm/s/N", 1, 1e-3}}) {
+    const std::string header = std::string("Frequency (Hz),Real (") + unit + "),Imag (" + unit + ")\n";
+    const int n = times;
+    const double by = factor;
+    expectRight(import(frfText(header, [&](double f, Complex h) { return derived(f, h, n, by); })));
+  }
+}
+
+TEST_F(FrfImport, EveryFormOfAComplexNumber) {
+  expectRight(import(frfText("f (Hz),FRF (m/N)\n", [](double f, Complex h) {
+    char line[99];
+    std::snprintf(line, sizeof line, "%.1f,%.9e%+.9ei", f, h.real(), h.imag());
+    return std::string(line);
+  })));
+  expectRight(import(frfText("Freq (Hz);Magnitude (m/N);Phase (deg)\n", [](double f, Complex h) {
+    return cells({f, std::abs(h), 360.0 / kTwoPi * std::arg(h)}, ';');
+  })));
+  expectRight(import(frfText("Freq (Hz),Magnitude (m/N),Phase (rad)\n", [](double f, Complex h) {
+    return cells({f, std::abs(h), std::arg(h)});
+  })));
+  expectRight(import(frfText("Frequenz [Hz];Realteil [m/N];Imaginaerteil [m/N]\n", [](double f, Complex h) {
+    std::string line = cells({f, h.real(), h.imag()}, ';');
+    for (char& c : line) c = c == '.' ? ',' : c;
+    return line;
+  })));
+  const auto both = import(
+      frfText("Freq (Hz),Real (m/N),Imag (m/N),Magnitude (m/N),Phase (deg),Coherence\n", [](double f, Complex h) {
+        return cells({f, h.real(), h.imag(), std::abs(h), 0.0, 0.97});
+      }));
+  expectRight(both);
+  EXPECT_DOUBLE_EQ(frfOf(both).coherence.at(7), 0.97);
+}
+
+TEST_F(FrfImport, DirectAndCrossResponsesAreToldApart) {
+  const std::string both = frfText(
+      "Frequency [Hz],Re Gxy [m/N],Im Gxy [m/N],Re Gyy [m/N],Im Gyy [m/N],"
+      "Re Gxx [m/N],Im Gxx [m/N]\n",
+      [](double f, Complex h) {
+        return cells({f, 0.1 * h.real(), 0.1 * h.imag(), 2 * h.real(), 2 * h.imag(), h.real(), h.imag()});
+      });
+  const auto all = import(both);
+  expectRight(all);
+  EXPECT_EQ(frfOf(all, 0).axis, Axis::X);
+  EXPECT_EQ(frfOf(all, 1).axis, Axis::Y);
+  EXPECT_NEAR(frfOf(all, 1).value[5].real(), 2.0 * compliance(25.0).real(), 1e-13);
+  ImportOptions y = options();
+  y.axes = {Axis::Y};
+  const auto one = import(both, y);
+  ASSERT_TRUE(one.ok());
+  EXPECT_EQ(std::get<std::vector<Frf>>(one->data).size(), 1u);
+  const auto unclear = import(frfText("f [Hz],Re A [m/N],Im A [m/N],Re B [m/N],Im B [m/N]\n", [](double f, Complex h) {
+    return cells({f, h.real(), h.imag(), h.real(), h.imag()});
+  }));
+  ASSERT_FALSE(unclear.ok());
+  EXPECT_NE(unclear.error().line().find("holds 2 responses: 'a', 'b'"), std::string::npos) << unclear.error().line();
+}
+
+TEST_F(FrfImport, WhatNobodySaysIsAskedForByName) {
+  const auto row = [](double f, Complex h) { return cells({f, h.real(), h.imag()}); };
+  const auto asks = [](const Result<Measurement>& got, const std::string& option) {
+    ASSERT_FALSE(got.ok());
+    EXPECT_NE(got.error().line().find(option), std::string::npos) << got.error().line();
+  };
+  const auto bare = import(frfText("", row));
+  ASSERT_TRUE(bare.ok()) << bare.error().line();
+  EXPECT_FALSE(frfOf(bare).unitKnown) << "who fits it has to ask";
+  ASSERT_EQ(bare->remarks.size(), 1u);
+  EXPECT_NE(text(bare->remarks[0]).find("read as Hz"), std::string::npos);
+  asks(import(frfText("f [Hz],re [furlong/N],im [furlong/N]\n", row)), "--unit");
+  asks(import(frfText("omega,re [m/N],im [m/N]\n", row)), "--frequency-unit");
+  asks(import(frfText("", [&](double f, Complex h) { return row(1e-3 * (f + 5000.0), h); })), "--frequency-unit");
+  asks(import(frfText("f [Hz],mag [m/N],phase\n",
+                      [](double f, Complex h) {
+                        return cells({f, std::abs(h), std::arg(h)});
+                      })),
+       "--phase-unit");
+  asks(import(frfText("f [Hz],mag [dB],phase [deg]\n",
+                      [](double f, Complex h) {
+                        return cells({f, 20 * std::log10(std::abs(h)), std::arg(h)});
+                      })),
+       "--unit");
+}
+
+TEST_F(FrfImport, OptionsOverruleTheFile) {
+  ImportOptions given = options();
+  given.kind = MeasurementKind::Frf;
+  given.unit = "mm/N";
+  given.frequencyUnit = "kHz";
+  const auto scaled = [](double f, Complex h) { return cells({1e-3 * f, 1e3 * h.real(), 1e3 * h.imag()}); };
+  expectRight(import(frfText("Frequency [Hz],Real [m/N],Imag [m/N]\n", scaled), given));
+  given.quantity = FrfQuantity::Mobility;
+  given.scale = 1e-3;
+  const auto got = import("1 5 5\n2 6 6\n", given);
+  ASSERT_TRUE(got.ok()) << got.error().line();
+  EXPECT_EQ(frfOf(got).quantity, FrfQuantity::Mobility);
+  EXPECT_DOUBLE_EQ(frfOf(got).value[0].real(), 5e-3);
+  given.scale = 0.0;
+  EXPECT_FALSE(import("1 5 5\n2 6 6\n", given).ok());
+}
+
+TEST_F(FrfImport, ComplexVectorsOfMatlabFilesAreResponses) {
+  const std::string path = folder_ / "frf.mat";
+  mat_t* mat = Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5);
+  ASSERT_NE(mat, nullptr);
+  std::vector<double> f, re, im;
+  for (int i = 0; i <= 200; ++i) {
+    f.push_back(5.0 * i);
+    re.push_back(1e3 * compliance(5.0 * i).real());
+    im.push_back(1e3 * compliance(5.0 * i).imag());
+  }
+  std::size_t dims[2] = {f.size(), 1};
+  mat_complex_split_t split{re.data(), im.data()};
+  std::size_t unitDims[2] = {1, 4};
+  std::string unit = "mm/N";
+  matvar_t* made[] = {Mat_VarCreate("f", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims, f.data(), 0),
+                      Mat_VarCreate("H", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims, &split, MAT_F_COMPLEX),
+                      Mat_VarCreate("H_unit", MAT_C_CHAR, MAT_T_UTF8, 2, unitDims, unit.data(), 0)};
+  for (matvar_t* variable : made) {
+    ASSERT_EQ(Mat_VarWrite(mat, variable, MAT_COMPRESSION_NONE), 0);
+    Mat_VarFree(variable);
+  }
+  Mat_Close(mat);
+  expectRight(importMeasurement(path, options()));
+}
+
+TEST_F(FrfImport, BadFilesAreOneClearLine) {
+  const auto back = import("1 1 1\n3 1 1\n2 1 1\n");
+  ASSERT_FALSE(back.ok());
+  EXPECT_NE(back.error().line().find("the frequency does not rise at row 3"), std::string::npos) << back.error().line();
+  EXPECT_FALSE(importMeasurement("/nowhere/at.all", options()).ok());
+  EXPECT_FALSE(importMeasurement("/", options()).ok());
+  EXPECT_FALSE(import("a tool of 12 mm\nnothing else\n").ok());
+}
+
+TEST(Compliance, MobilityAndAcceleranceBecomeCompliance) {
+  Frf frf;
+  frf.quantity = FrfQuantity::Accelerance;
+  frf.frequency = {0.0, 10.0};
+  const double w = kTwoPi * 10.0;
+  frf.value = {1.0, -w * w * 2e-6};
+  const Frf compliance = toCompliance(frf);
+  ASSERT_EQ(compliance.frequency.size(), 1u);  // 0 Hz cannot be integrated
+  EXPECT_NEAR(std::abs(compliance.value[0] - 2e-6), 0.0, 1e-18);
+  frf.quantity = FrfQuantity::Mobility;
+  frf.value[1] = std::complex<double>(0.0, w * 3e-6);
+  EXPECT_NEAR(std::abs(toCompliance(frf).value[0] - 3e-6), 0.0, 1e-18);
+}
+
+}  // namespace
+}  // namespace stillcut::identify
