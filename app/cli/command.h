@@ -22,6 +22,7 @@ void addAnalyze(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
 void addRun(CLI::App& app, int& exitCode);
 void addModal(CLI::App& app, int& exitCode);
+void addCouple(CLI::App& app, int& exitCode);
 void addCoefficients(CLI::App& app, int& exitCode);
 void addLobes(CLI::App& app, int& exitCode);
 void addConvert(CLI::App& app, int& exitCode);

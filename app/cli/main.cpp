@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   addInfo(app, exitCode);
   addRun(app, exitCode);
   addModal(app, exitCode);
+  addCouple(app, exitCode);
   addCoefficients(app, exitCode);
   addLobes(app, exitCode);
   addConvert(app, exitCode);

@@ -27,6 +27,7 @@ inline const std::vector<Room>& roomTable() {
       {"core/milling/stability", {"core/base", "core/model", "core/config", "core/storage", "core/milling"}},
       {"core/milling/identify",
        {"core/base", "core/model", "core/config", "core/storage", "core/units", "core/formats", "core/milling"}},
+      {"core/milling/coupling", {"core/base", "core/model", "core/milling", "core/milling/identify"}},
       {"core/milling/simulation",
        {"core/base", "core/rt", "core/model", "core/config", "core/storage", "core/dsp", "core/milling"}},
       {"core/spindle", {"core/base", "core/model", "core/config", "core/dsp"}},

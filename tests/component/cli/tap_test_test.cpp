@@ -13,6 +13,7 @@ namespace stillcut::cli_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class TapTest : public InFolder {
  protected:
@@ -57,6 +58,26 @@ TEST_F(TapTest, AFreeEndOfTheBandNamesWhatItLeavesOut) {
   EXPECT_THAT(run({"modal", "x.csv", "--band", "500:"}), HasSubstr("band 500 to"));
   EXPECT_THAT(run({"modal", "x.csv", "--band", ":1000"}), HasSubstr("to 1000 Hz"));
   EXPECT_EQ(outcome({"modal", "x.csv", "--band", "1000"}).exitCode, 2);
+}
+
+TEST_F(TapTest, AHolderMeasuredOnceGivesTheTipOfATool) {
+  writeFrf("face.csv", "Frequency [Hz],Re [m/N],Im [m/N]\n", 5e7);
+  writeFrf("above.csv", "Frequency [Hz],Re [m/N],Im [m/N]\n", 6e7);
+  const std::vector<std::string> tool{"--diameter", "10", "--stickout", "60", "--flutes", "25"};
+  const auto with = [&](std::vector<std::string> a) {
+    a.insert(a.end(), tool.begin(), tool.end());
+    return a;
+  };
+  const std::string said = run(with({"couple", "face.csv", "--cross", "above.csv", "--spacing", "40", "--out",
+                                     "tip.csv", "--modes-out", "modes.toml"}));
+  EXPECT_THAT(said, HasSubstr("with a holder that cannot rotate"));
+  EXPECT_THAT(said, Not(HasSubstr("--cross measures it")));
+  EXPECT_THAT(run({"modal", "tip.csv"}), HasSubstr("axis x"));
+  EXPECT_THAT(content("modes.toml"), HasSubstr("[[mode]]"));
+  EXPECT_THAT(run(with({"couple", "face.csv"})), HasSubstr("--cross measures it"));
+  EXPECT_THAT(outcome(with({"couple", "face.csv", "--spacing", "40"})).err, HasSubstr("belong together"));
+  EXPECT_THAT(outcome({"couple", "face.csv", "--diameter", "10", "--stickout", "20", "--flutes", "25"}).err,
+              HasSubstr("longer than the stick-out"));
 }
 
 }  // namespace
