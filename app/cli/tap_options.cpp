@@ -32,6 +32,8 @@ void TapOptions::add(CLI::App& command) {
       ->delimiter(',');
   command.add_option("--force-unit", import.forceUnit, "Unit of the hammer's channel: N, kN, lbf, V");
   command.add_option("--response-unit", import.responseUnit, "Unit of the response: m/s^2, g, m/s, mm/s, um, V");
+  command.add_option("--force-scale", import.forceScale, "Of that unit per unit of the file: what full scale is");
+  command.add_option("--response-scale", import.responseScale, "The same of the response");
   command.add_option("--force-sensitivity", import.forceSensitivity, "Of a hammer in volts: 2.25mV/N, 10mV/lbf");
   command.add_option("--response-sensitivity", import.responseSensitivity,
                      "Of a response in volts: 100mV/g, 10.2mV/(m/s^2)");

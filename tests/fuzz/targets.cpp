@@ -18,6 +18,7 @@
 #include "core/cnc/modbus/register_map.h"
 #include "core/config/profile.h"
 #include "core/formats/universal/uff58.h"
+#include "core/milling/identify/import/measurement_import.h"
 #include "core/milling/simulation/case_json.h"
 #include "core/milling/simulation/scenario.h"
 #include "core/milling/stability/lobe_case.h"
@@ -82,6 +83,34 @@ void readUffInMemory(std::string_view bytes) {
   for (const uff::Uff58Dataset& set : *sets) {
     if (set.x.size() != set.y.size()) broken("points without abscissa");
   }
+}
+
+void expectFinite(const identify::Frf& frf) {
+  if (frf.frequency.size() != frf.value.size()) broken("a response without its frequency");
+  if (!frf.coherence.empty() && frf.coherence.size() != frf.value.size()) broken("a coherence on other lines");
+  for (const auto& v : frf.value) {
+    if (std::isnan(v.real()) || std::isnan(v.imag())) broken("a response that is no number");
+  }
+}
+
+// Files of tap tests, with everything told that they might not say.
+void readTapTest(std::string_view bytes) {
+  identify::ImportOptions options;
+  options.rate = Hertz(1000.0);
+  options.open = [](const std::string& path, const record::ReadOptions& o) { return record::openRecording(path, o); };
+  const std::string path = asFile(bytes, ".tap");
+  for (const bool told : {false, true}) {
+    options.forceUnit = told ? "N" : "";
+    options.responseUnit = told ? "g" : "";
+    options.unit = told ? "m/N" : "";
+    if (told) options.axes = {identify::Axis::X};
+    const auto got = identify::importMeasurement(path, options);
+    if (!got) checkError(got.error());
+    const auto* frfs = got ? std::get_if<std::vector<identify::Frf>>(&got->data) : nullptr;
+    if (frfs == nullptr) continue;
+    for (const identify::Frf& frf : *frfs) expectFinite(frf);
+  }
+  std::remove(path.c_str());
 }
 
 template <class Loaded>
@@ -197,7 +226,7 @@ const char* const kUff = ".uff";
 const char* const kMat = ".mat";
 const char* const kHdf5 = ".h5";
 
-constexpr std::array<Target, 12> kTargets{{
+constexpr std::array<Target, 13> kTargets{{
     {"wav", ".wav", readRecording<kWav>},
     {"flac", ".flac", readRecording<kFlac>},
     {"text", ".csv", readRecording<kCsv>},
@@ -205,6 +234,7 @@ constexpr std::array<Target, 12> kTargets{{
     {"uff-memory", ".uff", readUffInMemory},
     {"mat", ".mat", readRecording<kMat>},
     {"hdf5", ".h5", readRecording<kHdf5>},
+    {"tap", ".tap", readTapTest},
     {"toml", ".toml", readToml},
     {"json", ".json", readJson},
     {"machine", ".txt", hearMachine},

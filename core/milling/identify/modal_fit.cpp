@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/milling/identify/lscf.h"
 #include "core/milling/identify/modal_band.h"
 #include "core/milling/identify/modal_model.h"
+#include "core/milling/identify/modal_quality.h"
 
 namespace stillcut::identify {
 namespace {
@@ -21,8 +21,6 @@ constexpr double kLargestPhase = 1.05;     // 60 degrees
 constexpr double kDoubtfulPhase = 0.52;    // 30 degrees
 constexpr double kLargestDamping = 0.3;
 constexpr double kPoorCoherence = 0.8;
-constexpr double kDepthWorthSaying = 0.02;  // of the deepest negative real part
-constexpr double kDepthOff = 0.15;          // relative: as much as the stability limits are off
 
 Status checkOptions(const Frf& frf, const ModalOptions& o) {
   const auto bad = [&](Message what) { return Error{frf.source, what}; };
@@ -218,61 +216,6 @@ bool withoutWindow(milling::Mode& mode, double addedDecay) {
   return true;
 }
 
-// Mean over the mode's bandwidth; 0 where it was not measured.
-double coherenceAt(const Frf& frf, const milling::Mode& mode) {
-  if (frf.coherence.empty()) return 0.0;
-  const double half = std::max(mode.damping * mode.frequency.value, 1.0);
-  double sum = 0.0;
-  int lines = 0;
-  for (std::size_t i = 0; i < frf.frequency.size(); ++i) {
-    if (std::abs(frf.frequency[i] - mode.frequency.value) > half) continue;
-    sum += frf.coherence[i];
-    ++lines;
-  }
-  return lines > 0 ? sum / lines : 0.0;
-}
-
-// What the modes alone, as a file holds them, make of the measurement.
-void judgeWritten(ModalFit& fit, double addedDecay) {
-  double off = 0.0;
-  double whole = 0.0;
-  for (std::size_t i = 0; i < fit.frequency.size(); ++i) {
-    const std::complex<double> s(addedDecay, kTwoPi * fit.frequency[i]);
-    std::complex<double> written = 0.0;
-    for (const IdentifiedMode& m : fit.modes) {
-      const double w = kTwoPi * m.mode.frequency.value;
-      written += w * w / m.mode.stiffness / (s * s + 2.0 * m.mode.damping * w * s + w * w);
-    }
-    off += std::norm(written - fit.measured[i]);
-    whole += std::norm(fit.measured[i]);
-    fit.measuredDepth = std::max(fit.measuredDepth, -fit.measured[i].real());
-    fit.writtenDepth = std::max(fit.writtenDepth, -written.real());
-  }
-  fit.writtenMisfit = whole > 0.0 ? std::sqrt(off / whole) : 0.0;
-}
-
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return text;
-}
-
-// Resonances that no mode stands for, with their size.
-void nameLeftOut(ModalFit& fit, const std::vector<Resonance>& resonances) {
-  double deepest = 0.0;
-  for (const Resonance& r : resonances) deepest = std::max(deepest, r.depth);
-  for (const Resonance& r : resonances) {
-    const bool stoodFor = std::any_of(fit.modes.begin(), fit.modes.end(), [&](const IdentifiedMode& m) {
-      const double f = m.mode.frequency.value;
-      return std::abs(f - r.frequency) < std::max(0.03, 1.5 * m.mode.damping) * f;
-    });
-    if (stoodFor || r.depth < kDepthWorthSaying * deepest) continue;
-    fit.remarks.push_back(
-        message("left out: a resonance at %1 Hz, its negative real part of %2 m/N is %3 % of the deepest",
-                std::lround(r.frequency), shortNumber(r.depth), std::lround(100.0 * r.depth / deepest)));
-  }
-}
-
 void describeModes(ModalFit& fit, const ModalLines& lines, const Selection& selection, const Frf& frf) {
   const std::vector<ModalPole>& poles = selection.poles();
   const ConstantsFit constants = fitConstants(lines, poles, ModalConstants::Complex);
@@ -334,12 +277,6 @@ Result<ModalFit> fitModes(const Frf& frf, const ModalOptions& options) {
     return Error{frf.source, message("no physical mode was found in the band"), message("try another band")};
   judgeWritten(fit, frf.addedDecay);
   nameLeftOut(fit, resonances);
-  if (std::abs(fit.writtenDepth / std::max(fit.measuredDepth, 1e-30) - 1.0) > kDepthOff) {
-    fit.remarks.push_back(
-        message("the deepest negative real part of these modes is %1 % of the measured one: limits "
-                "computed from them are off by as much",
-                std::lround(100.0 * fit.writtenDepth / std::max(fit.measuredDepth, 1e-30))));
-  }
   if (static_cast<int>(fit.modes.size()) < options.modes) {
     fit.remarks.push_back(message("only %1 of the %2 modes asked for were found", fit.modes.size(), options.modes));
   }

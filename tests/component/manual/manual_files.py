@@ -21,13 +21,28 @@ def short_demo(top):
     return text.replace("duration_s = 30.0", "duration_s = 8.0").replace("exit_at_s = 29.0", "exit_at_s = 7.0")
 
 
-def tap():
+def tap(stiffness=3e6):
     """Compliance of one mode, frequency by frequency."""
     rows = ["Frequency [Hz]\tReal [m/N]\tImag [m/N]"]
     for hertz in range(300, 3001):
         ratio = hertz / 950.0
-        h = 1.0 / (3e6 * complex(1.0 - ratio * ratio, 2.0 * 0.02 * ratio))
+        h = 1.0 / (stiffness * complex(1.0 - ratio * ratio, 2.0 * 0.02 * ratio))
         rows.append(f"{hertz}.0\t{h.real:.9e}\t{h.imag:.9e}")
+    return "\n".join(rows) + "\n"
+
+
+def hit(peak, rate=25600):
+    """Half-sine blow on a mode of 950 Hz, and the acceleration there, over half a second."""
+    omega, damping, stiffness, step = 2.0 * math.pi * 950.0, 0.03, 1e7, 1.0 / rate
+    rows, x, v = ["Time (s),Force (N),Acc (m/s^2)"], 0.0, 0.0
+    for i in range(rate // 2):
+        since = i / rate - 0.01
+        force = peak * math.sin(math.pi * since / 4e-4) if 0.0 <= since <= 4e-4 else 0.0
+        acceleration = omega * omega * (force / stiffness - x) - 2.0 * damping * omega * v
+        rows.append(f"{i / rate:.8f},{force:.6f},{acceleration:.6f}")
+        for _ in range(8):
+            v += step / 8 * (omega * omega * (force / stiffness - x) - 2.0 * damping * omega * v)
+            x += step / 8 * v
     return "\n".join(rows) + "\n"
 
 
@@ -102,6 +117,10 @@ def lay_out(top, programs, folder):
     write(folder, "resources/scenarios/demo.toml", short_demo(top))
     write(folder, "cut.toml", MODE + CASE)
     write(folder, "tap.txt", tap())
+    for number, peak in enumerate((120.0, 140.0, 110.0), start=1):
+        write(folder, f"hit{number}.csv", hit(peak))
+    write(folder, "face.csv", tap())
+    write(folder, "above.csv", tap(3.5e6))
     write(folder, "f300.csv", forces(300.0))
     write(folder, "f900.csv", forces(900.0))
     write(folder, "CASE.json", CASE_JSON)

@@ -1,6 +1,7 @@
 // Hammer records: which channel is what, in which unit, along which axis; and what is asked for where nobody says.
 #include <gtest/gtest.h>
 
+#include "core/formats/sound/wav_reader.h"
 #include "core/formats/universal/uff58.h"
 #include "tests/support/uff_dataset.h"
 #include "tests/unit/identify/import_files.h"
@@ -76,6 +77,34 @@ TEST_F(HammerImport, UnitsNobodySaysAreAskedForTogether) {
   expectRight(import(bare, given));
   given.responseUnit = "kg";
   expectAsked(import(bare, given), {"--response-unit", "'kg' is not known"});
+}
+
+TEST_F(HammerImport, SoundFilesNeedWhatTheirFullScaleIs) {
+  const std::string path = folder_ / "tap.wav";
+  auto writer = record::WavWriter::create(path, 2, Hertz(1000.0));
+  ASSERT_TRUE(writer.ok());
+  SampleBlock block;
+  block.allocate(2, 100);
+  block.frames = 100;
+  block.rate = Hertz(1000.0);
+  for (int i = 0; i < 100; ++i) {
+    block.channel(0)[static_cast<std::size_t>(i)] = i == 11 ? 0.2F : 0.0F;
+    block.channel(1)[static_cast<std::size_t>(i)] =
+        i < 11 ? 0.0F : static_cast<float>(0.5 * std::exp(-0.05 * (i - 11)));
+  }
+  ASSERT_TRUE((*writer)->write(block).ok());
+  ASSERT_TRUE((*writer)->finish().ok());
+  ImportOptions given = options();
+  given.forceUnit = "N";
+  given.responseUnit = "V";
+  given.responseSensitivity = "100mV/g";
+  expectAsked(importMeasurement(path, given), {"full scale", "--force-scale", "--response-scale"});
+  given.forceScale = 500.0;
+  given.responseScale = 10.0;
+  const auto got = importMeasurement(path, given);
+  ASSERT_TRUE(got.ok()) << got.error().line();
+  EXPECT_NEAR(hammerOf(got).force.at(11), 100.0, 1e-3);
+  EXPECT_NEAR(hammerOf(got).response.at(11), 0.5 * 10.0 / 0.1 * 9.80665, 1e-3);
 }
 
 TEST_F(HammerImport, ChannelsAreFoundByNameByShapeOrByOption) {

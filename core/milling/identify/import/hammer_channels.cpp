@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "core/milling/identify/import/direct_responses.h"
 #include "core/milling/identify/import/unit_label.h"
@@ -10,6 +11,9 @@
 
 namespace stillcut::identify {
 namespace {
+
+// The unit of sound files, whose samples are parts of what their recorder could take.
+constexpr std::string_view kFullScale = "full scale";
 
 std::string nameOf(const TimeChannels& all, std::size_t c) {
   return all.channels[c].name.empty() ? std::to_string(c) : all.channels[c].name;
@@ -86,55 +90,79 @@ struct Meaning {
   std::string option;              // and the option that says it
 };
 
-Result<Meaning> meaningOf(const TimeChannels& all, std::size_t c, bool force, const ImportOptions& options) {
-  const TimeChannel& channel = all.channels[c];
-  const std::string& given = force ? options.forceUnit : options.responseUnit;
-  const std::string& sensitivity = force ? options.forceSensitivity : options.responseSensitivity;
-  const std::string unitOption = force ? "--force-unit" : "--response-unit";
-  const std::string label = given.empty() ? channel.unit : given;
-  Meaning meaning;
-  meaning.quantity = channel.response.value_or(FrfQuantity::Accelerance);
-  const auto volts = voltageUnit(label);
-  if (!sensitivity.empty()) {
-    const auto known = sensitivityFromText(sensitivity);
-    if (!known || known->response.has_value() == force) {
-      return Error{unitOption.substr(0, unitOption.size() - 4) + "sensitivity",
-                   message("'%1' is no sensitivity", sensitivity),
-                   message("as 2.25mV/N, 10mV/lbf, 100mV/g or 10.2mV/(m/s^2)")};
-    }
-    if (!volts) {
-      return Error{all.source, message("channel '%1' is not in volts", nameOf(all, c)),
-                   message("its sensitivity says nothing then; or say %1 V", unitOption)};
-    }
-    meaning.factor = *volts / known->voltsPerUnit;
-    meaning.quantity = known->response.value_or(meaning.quantity);
-    return meaning;
-  }
-  if (given.empty() && channel.toSi) {
-    meaning.factor = *channel.toSi;
-    return meaning;
-  }
-  if (volts) {
-    meaning.missing = message("the sensitivity of '%1', which is in volts", nameOf(all, c));
+// What the options say of one channel.
+struct Given {
+  const std::string& unit;
+  const std::string& sensitivity;
+  std::optional<double> scale;
+  std::string prefix;  // of the options: "--force"
+};
+
+Given givenFor(bool force, const ImportOptions& o) {
+  return force ? Given{o.forceUnit, o.forceSensitivity, o.forceScale, "--force"}
+               : Given{o.responseUnit, o.responseSensitivity, o.responseScale, "--response"};
+}
+
+// Of a channel in volts: `meaning` comes with the factor to volts.
+Result<Meaning> bySensitivity(Meaning meaning, const std::string& channel, bool force, const Given& given) {
+  if (given.sensitivity.empty()) {
+    meaning.missing = message("the sensitivity of '%1', which is in volts", channel);
     meaning.option = force ? "--force-sensitivity 2.25mV/N" : "--response-sensitivity 100mV/g";
     return meaning;
   }
+  const auto known = sensitivityFromText(given.sensitivity);
+  if (!known || known->response.has_value() == force) {
+    return Error{given.prefix + "-sensitivity", message("'%1' is no sensitivity", given.sensitivity),
+                 message("as 2.25mV/N, 10mV/lbf, 100mV/g or 10.2mV/(m/s^2)")};
+  }
+  meaning.factor /= known->voltsPerUnit;
+  meaning.quantity = known->response.value_or(meaning.quantity);
+  return meaning;
+}
+
+Result<Meaning> byUnit(Meaning meaning, const std::string& label, const std::string& channel, bool force,
+                       const Given& given) {
   const auto response = responseUnit(label);
   const auto newtons = forceUnit(label);
   if (force ? newtons.has_value() : response.has_value()) {
-    meaning.factor = force ? *newtons : response->factor;
+    meaning.factor *= force ? *newtons : response->factor;
     if (!force) meaning.quantity = response->quantity;
     return meaning;
   }
-  if (!given.empty()) {
-    return Error{unitOption, message("unit '%1' is not known", uff::printable(given)),
+  if (!given.unit.empty()) {
+    return Error{given.prefix + "-unit", message("unit '%1' is not known", uff::printable(given.unit)),
                  force ? message("as N, kN, lbf or V") : message("as m/s^2, g, m/s, mm/s, um or V")};
   }
-  meaning.missing = label.empty()
-                        ? message("the unit of '%1'", nameOf(all, c))
-                        : message("what '%1' means as the unit of '%2'", uff::printable(label), nameOf(all, c));
-  meaning.option = unitOption + (force ? " N, kN or lbf" : " m/s^2, g, mm/s or um");
+  const bool said = !label.empty() && label != kFullScale;
+  meaning.missing = said ? message("what '%1' means as the unit of '%2'", uff::printable(label), channel)
+                         : message("the unit of '%1'", channel);
+  meaning.option = given.prefix + (force ? "-unit N, kN or lbf" : "-unit m/s^2, g, mm/s or um");
   return meaning;
+}
+
+Result<Meaning> meaningOf(const TimeChannels& all, std::size_t c, bool force, const ImportOptions& options) {
+  const TimeChannel& channel = all.channels[c];
+  const Given given = givenFor(force, options);
+  const std::string label = given.unit.empty() ? channel.unit : given.unit;
+  const auto volts = voltageUnit(label);
+  Meaning meaning;
+  meaning.quantity = channel.response.value_or(FrfQuantity::Accelerance);
+  if (!given.sensitivity.empty() && !volts) {
+    return Error{all.source, message("channel '%1' is not in volts", nameOf(all, c)),
+                 message("its sensitivity says nothing then; or say %1 V", given.prefix + "-unit")};
+  }
+  if (given.unit.empty() && channel.toSi) {
+    meaning.factor = *channel.toSi;
+    return meaning;
+  }
+  if (channel.unit == kFullScale && !channel.toSi && !given.scale) {
+    meaning.missing = message("what the full scale of '%1' is", nameOf(all, c));
+    meaning.option = given.prefix + "-unit and " + given.prefix + "-scale";
+    return meaning;
+  }
+  meaning.factor = given.scale.value_or(1.0) * volts.value_or(1.0);
+  return volts ? bySensitivity(meaning, nameOf(all, c), force, given)
+               : byUnit(meaning, label, nameOf(all, c), force, given);
 }
 
 // Everything that is missing in one line, so that a person is asked once.

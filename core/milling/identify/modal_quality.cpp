@@ -1,0 +1,77 @@
+#include "core/milling/identify/modal_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "core/base/units.h"
+
+namespace stillcut::identify {
+namespace {
+
+constexpr double kDepthWorthSaying = 0.02;  // of the deepest negative real part
+constexpr double kDepthOff = 0.15;          // relative: as much as the stability limits are off
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+}  // namespace
+
+double coherenceAt(const Frf& frf, const milling::Mode& mode) {
+  if (frf.coherence.empty()) return 0.0;
+  const double half = std::max(mode.damping * mode.frequency.value, 1.0);
+  double sum = 0.0;
+  int lines = 0;
+  for (std::size_t i = 0; i < frf.frequency.size(); ++i) {
+    if (std::abs(frf.frequency[i] - mode.frequency.value) > half) continue;
+    sum += frf.coherence[i];
+    ++lines;
+  }
+  return lines > 0 ? sum / lines : 0.0;
+}
+
+void judgeWritten(ModalFit& fit, double addedDecay) {
+  double off = 0.0;
+  double whole = 0.0;
+  for (std::size_t i = 0; i < fit.frequency.size(); ++i) {
+    const std::complex<double> s(addedDecay, kTwoPi * fit.frequency[i]);
+    std::complex<double> written = 0.0;
+    for (const IdentifiedMode& m : fit.modes) {
+      const double w = kTwoPi * m.mode.frequency.value;
+      written += w * w / m.mode.stiffness / (s * s + 2.0 * m.mode.damping * w * s + w * w);
+    }
+    off += std::norm(written - fit.measured[i]);
+    whole += std::norm(fit.measured[i]);
+    fit.measuredDepth = std::max(fit.measuredDepth, -fit.measured[i].real());
+    fit.writtenDepth = std::max(fit.writtenDepth, -written.real());
+  }
+  fit.writtenMisfit = whole > 0.0 ? std::sqrt(off / whole) : 0.0;
+  const double ratio = fit.writtenDepth / std::max(fit.measuredDepth, 1e-30);
+  if (std::abs(ratio - 1.0) > kDepthOff) {
+    fit.remarks.push_back(
+        message("the deepest negative real part of these modes is %1 % of the measured one: limits "
+                "computed from them are off by as much",
+                std::lround(100.0 * ratio)));
+  }
+}
+
+void nameLeftOut(ModalFit& fit, const std::vector<Resonance>& resonances) {
+  double deepest = 0.0;
+  for (const Resonance& r : resonances) deepest = std::max(deepest, r.depth);
+  for (const Resonance& r : resonances) {
+    const bool stoodFor = std::any_of(fit.modes.begin(), fit.modes.end(), [&](const IdentifiedMode& m) {
+      const double f = m.mode.frequency.value;
+      return std::abs(f - r.frequency) < std::max(0.03, 1.5 * m.mode.damping) * f;
+    });
+    if (stoodFor || r.depth < kDepthWorthSaying * deepest) continue;
+    fit.remarks.push_back(
+        message("left out: a resonance at %1 Hz, its negative real part of %2 m/N is %3 % of the deepest",
+                std::lround(r.frequency), shortNumber(r.depth), std::lround(100.0 * r.depth / deepest)));
+  }
+}
+
+}  // namespace stillcut::identify
