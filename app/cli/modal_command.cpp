@@ -19,12 +19,11 @@ struct ModalCommand {
   TapOptions tap;
 };
 
-void printHits(const AxisModes& axis, const std::vector<std::string>& files, const HammerOptions& hammer) {
+void printHits(const AxisModes& axis, const HammerOptions& hammer) {
   for (std::size_t i = 0; i < axis.hits.size(); ++i) {
     const Hit& h = axis.hits[i];
-    const bool several = files.size() > 1 && h.record < files.size();
-    std::printf("hit %zu at %.4f s%s%s: %.0f N, %.2f ms wide%s\n", i + 1, h.time, several ? " of record " : "",
-                several ? std::to_string(h.record + 1).c_str() : "", h.peakForce, 1e3 * h.width,
+    const std::string in = axis.records.size() > 1 ? " of " + axis.records[h.record] : "";
+    std::printf("hit %zu at %.4f s%s: %.0f N, %.2f ms wide%s\n", i + 1, h.time, in.c_str(), h.peakForce, 1e3 * h.width,
                 h.used ? "" : ", left out");
   }
   const std::string force = hammer.forceWindow > 0.0
@@ -65,7 +64,7 @@ int run(const ModalCommand& command) {
     if (!saved) return fail(saved.error());
   }
   for (const AxisModes& axis : answer->axes) {
-    if (axis.fromHammer) printHits(axis, command.files, request->hammer);
+    if (axis.fromHammer) printHits(axis, request->hammer);
     printModes(axis);
   }
   return kExitDone;

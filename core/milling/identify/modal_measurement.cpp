@@ -61,6 +61,7 @@ Result<AxisModes> fromHammer(const std::vector<HammerRecord>& records, const Ham
   AxisModes axis;
   axis.axis = records.front().axis;
   axis.fromHammer = true;
+  for (const HammerRecord& record : records) axis.records.push_back(record.source);
   axis.hits = std::move(analysed->hits);
   axis.remarks = std::move(analysed->remarks);
   axis.frf = std::move(analysed->frf);

@@ -25,8 +25,9 @@ struct AxisModes {
   Frf frf;                    // as analysed, with its coherence
   ModalFit fit;
   bool fromHammer = false;
-  std::vector<Hit> hits;         // of the hammer records
-  std::vector<Message> remarks;  // of analysis and fit, one line each
+  std::vector<Hit> hits;             // of the hammer records
+  std::vector<std::string> records;  // their files, by Hit::record
+  std::vector<Message> remarks;      // of analysis and fit, one line each
 };
 
 struct ModalAnswer {

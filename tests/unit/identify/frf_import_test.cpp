@@ -134,6 +134,23 @@ TEST_F(FrfImport, DirectAndCrossResponsesAreToldApart) {
   EXPECT_NE(unclear.error().line().find("holds 2 responses: 'a', 'b'"), std::string::npos) << unclear.error().line();
 }
 
+TEST_F(FrfImport, ACrossResponseIsNeverTakenForADirectOne) {
+  const std::string cross = frfText("Frequency [Hz],Re Gyx [m/N],Im Gyx [m/N]\n", [](double f, Complex h) {
+    return cells({f, h.real(), h.imag()});
+  });
+  ImportOptions y = options();
+  y.axes = {Axis::Y};
+  for (const ImportOptions& o : {options(), y}) {
+    const auto refused = import(cross, o);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().line().find("is a cross one, by a force along x"), std::string::npos);
+  }
+  y.responses = {"Gyx"};
+  EXPECT_TRUE(import(cross, y).ok()) << "named by whoever knows";
+  y.responses = {"Gzz"};
+  EXPECT_NE(import(cross, y).error().line().find("holds no response 'Gzz' (it holds 'gyx')"), std::string::npos);
+}
+
 TEST_F(FrfImport, WhatNobodySaysIsAskedForByName) {
   const auto row = [](double f, Complex h) { return cells({f, h.real(), h.imag()}); };
   const auto asks = [](const Result<Measurement>& got, const std::string& option) {

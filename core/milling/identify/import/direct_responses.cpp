@@ -39,7 +39,7 @@ Error ambiguous(const std::vector<OfferedResponse>& offered, const std::string& 
 }
 
 Result<Choice> choose(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& axes,
-                      const std::string& where, const std::string& option) {
+                      const std::string& where, const std::string& option, bool takesCross) {
   Choice choice;
   for (const Axis axis : axes) {
     std::vector<std::size_t> found = along(offered, axis);
@@ -50,6 +50,12 @@ Result<Choice> choose(const std::vector<OfferedResponse>& offered, const std::ve
                    message("it holds %1", listOf(offered))};
     }
     if (found.size() > 1) return ambiguous(offered, where, option);
+    if (isCross(offered[found[0]]) && !takesCross) {
+      return Error{where,
+                   message("its only response along %1 is a cross one, by a force along %2", std::string(name(axis)),
+                           std::string(name(offered[found[0]].force))),
+                   message("modes at the tip need the direct one; %1 takes it all the same", option)};
+    }
     choice.responses.push_back({found[0], axis});
   }
   return choice;
@@ -69,7 +75,7 @@ std::vector<Axis> axesOf(const std::vector<OfferedResponse>& offered) {
 }  // namespace
 
 Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& wanted,
-                               const std::string& where, const std::string& option) {
+                               const std::string& where, const std::string& option, ForceAxis force) {
   std::vector<Axis> axes = wanted;
   const bool forceKnown =
       std::all_of(offered.begin(), offered.end(), [](const OfferedResponse& o) { return o.force != Axis::Unknown; });
@@ -77,7 +83,8 @@ Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, cons
   if (axes.empty() && forceKnown) axes = axesOf(offered);
   if (axes.empty()) return ambiguous(offered, where, option);
   std::sort(axes.begin(), axes.end());
-  auto choice = choose(offered, axes, where, option);
+  const bool takesCross = force == ForceAxis::Overruled && !wanted.empty();
+  auto choice = choose(offered, axes, where, option, takesCross);
   if (!choice) return choice;
   std::vector<std::string> left;
   for (std::size_t i = 0; i < offered.size(); ++i) {

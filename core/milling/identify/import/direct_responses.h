@@ -26,9 +26,14 @@ struct Choice {
   std::vector<Message> remarks;           // what was left out
 };
 
-// `wanted` empty: every axis there is, as long as there is no doubt which response belongs to it. The error names the
-// responses and the option: `option` is what tells them apart in this kind of file ("--dataset", "--response").
+// Whether the force's direction, as the file has it, may be overruled by the wanted axis: in a hammer record it is that
+// of a sensor which the person has turned; in a frequency response it is part of what was computed.
+enum class ForceAxis { Fixed, Overruled };
+
+// `wanted` empty: every axis there is, as long as there is no doubt which response belongs to it. A cross response is
+// never taken for a direct one. The error names the responses and the option: `option` is what tells them apart in this
+// kind of file ("--dataset", "--response").
 Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& wanted,
-                               const std::string& where, const std::string& option);
+                               const std::string& where, const std::string& option, ForceAxis force);
 
 }  // namespace stillcut::identify

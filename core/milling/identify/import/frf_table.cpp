@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/milling/identify/import/direct_responses.h"
@@ -28,6 +29,11 @@ struct Columns {
   bool cartesian() const { return real != kNone && imaginary != kNone; }
   bool complete() const { return cartesian() || (magnitude != kNone && phase != kNone); }
 };
+
+std::string lowered(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
 
 void place(std::size_t column, ColumnRole role, Columns& of) {
   if (role == R::Complex) of.real = of.imaginary = column;
@@ -58,6 +64,21 @@ std::vector<Columns> responsesIn(const std::vector<ColumnMeaning>& meanings) {
   return all;
 }
 
+// Those that were named; whoever names one knows that it is along the hit.
+Status keepNamed(std::vector<Columns>& responses, const std::vector<std::string>& names, const std::string& where) {
+  if (names.empty()) return Done{};
+  std::string held;
+  for (Columns& r : responses) {
+    held += (held.empty() ? "'" : ", '") + r.name + "'";
+    r.force = r.along;
+  }
+  std::erase_if(responses, [&](const Columns& r) {
+    return std::none_of(names.begin(), names.end(), [&](const std::string& n) { return lowered(n) == r.name; });
+  });
+  if (!responses.empty()) return Done{};
+  return Error{where, message("holds no response '%1'", names.front()), message("it holds %1", held)};
+}
+
 // The unit over the columns of one response, else the header's, else the words behind the first row.
 std::string labelOf(const NumberTable& table, const Columns& r) {
   for (const std::size_t c : {r.real, r.imaginary, r.magnitude}) {
@@ -69,8 +90,8 @@ std::string labelOf(const NumberTable& table, const Columns& r) {
     if (frfUnit(word)) return word;
   }
   for (const std::string& line : table.header) {
-    const std::string unit = splitLabel(line).unit;
-    if (frfUnit(unit)) return unit;
+    LabelParts parts = splitLabel(line);
+    if (frfUnit(parts.unit)) return std::move(parts.unit);
   }
   return "";
 }
@@ -171,18 +192,20 @@ Result<ImportedFrfs> frfsFromTable(const NumberTable& table, const std::string& 
   const std::vector<ColumnMeaning> meanings = meaningOfColumns(table);
   const auto frequency =
       std::find_if(meanings.begin(), meanings.end(), [](const ColumnMeaning& m) { return m.role == R::Frequency; });
-  const std::vector<Columns> responses = responsesIn(meanings);
+  std::vector<Columns> responses = responsesIn(meanings);
   if (frequency == meanings.end() || responses.empty()) {
     return Error{where, message("its columns do not say which is frequency, real and imaginary part"),
                  message("name them in its first line: Frequency [Hz], Real [m/N], Imag [m/N]")};
   }
+  if (const Status named = keepNamed(responses, options.responses, where); !named) return named.error();
   ImportedFrfs imported;
   const auto at = static_cast<std::size_t>(frequency - meanings.begin());
   const auto lines = frequenciesIn(table, at, where, options, imported.remarks);
   if (!lines) return lines.error();
   std::vector<OfferedResponse> offered;
+  offered.reserve(responses.size());
   for (const Columns& r : responses) offered.push_back({r.name, r.along, r.force});
-  const auto choice = chooseResponses(offered, options.axes, where, "--response");
+  const auto choice = chooseResponses(offered, options.axes, where, "--response", ForceAxis::Fixed);
   if (!choice) return choice.error();
   imported.remarks.insert(imported.remarks.end(), choice->remarks.begin(), choice->remarks.end());
   for (const ChosenResponse& chosen : choice->responses) {

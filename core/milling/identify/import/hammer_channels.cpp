@@ -193,13 +193,15 @@ Result<ImportedHammer> hammerFromChannels(const TimeChannels& all, const ImportO
   const auto responses = findResponses(all, *force, options);
   if (!responses) return responses.error();
   std::vector<OfferedResponse> offered;
-  const bool named = !options.responses.empty() && responses->size() == 1;
+  // A response that was named is along the hit, whatever the file calls its axis; so is its axis where one was named.
+  const bool named = !options.responses.empty();
+  const bool axisGiven = named && responses->size() == 1 && !options.axes.empty();
+  const Axis pushed = named ? Axis::Unknown : all.channels[*force].axis;
+  offered.reserve(responses->size());
   for (const std::size_t c : *responses) {
-    const TimeChannel& channel = all.channels[c];
-    offered.push_back(
-        {nameOf(all, c), named && !options.axes.empty() ? Axis::Unknown : channel.axis, all.channels[*force].axis});
+    offered.push_back({nameOf(all, c), axisGiven ? Axis::Unknown : all.channels[c].axis, pushed});
   }
-  const auto choice = chooseResponses(offered, options.axes, all.source, "--response");
+  const auto choice = chooseResponses(offered, options.axes, all.source, "--response", ForceAxis::Overruled);
   if (!choice) return choice.error();
   imported.remarks.insert(imported.remarks.end(), choice->remarks.begin(), choice->remarks.end());
   std::vector<Meaning> meanings;

@@ -138,10 +138,11 @@ Result<ImportedFrfs> frfsFromUff(const std::vector<Uff58Dataset>& sets, const st
   for (const std::size_t i : *wanted) {
     const Uff58Dataset& set = *responses[i];
     offered.push_back({nameOf(set, i), axisOf(set.responseDirection), axisOf(set.referenceDirection)});
+    if (options.dataset) offered.back().force = offered.back().along;  // named: whoever asks for it knows what it is
     // Another point of the structure is no driving point, whatever its direction.
     if (set.responseNode != set.referenceNode && wanted->size() > 1) offered.back().along = Axis::Unknown;
   }
-  const auto choice = chooseResponses(offered, options.axes, where, "--dataset");
+  const auto choice = chooseResponses(offered, options.axes, where, "--dataset", ForceAxis::Fixed);
   if (!choice) return choice.error();
   ImportedFrfs imported;
   imported.remarks = choice->remarks;
