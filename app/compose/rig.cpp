@@ -126,6 +126,8 @@ Status Rig::prepare(SetUpFault& fault) {
   }
   auto limits = safety::gateLimits(spec_.params, spec_.setup, "settings", linkInfo().period);
   if (!limits) return limits.error();
+  // Without a machine there is nothing that Auto could move; a recorded one is as its recording says.
+  spec_.autoAllowed = spec_.autoAllowed && (spec_.link != nullptr || spec_.feed != nullptr);
   limits->autoAllowed = spec_.autoAllowed;
 
   if (Status complete = completeMethods(spec_.methods); !complete) return complete;

@@ -60,6 +60,8 @@ class Rig {
   const CutSetup& setup() const { return spec_.setup; }
   const config::ParamSet& params() const { return spec_.params; }
   const pipeline::Chain& chain() const { return *chain_; }
+  // Any thread: overrides were released and the machine has not shown it yet; also after the samples have ended.
+  bool releaseNotYetBack() const { return linkRunner_ != nullptr && linkRunner_->tally().notYetBack; }
   // Taken by one thread, not the worker.
   safety::FlightRecorder& flights() { return chain_->flights(); }
   const daq::DaqSource& device() const { return *spec_.device; }

@@ -4,7 +4,9 @@
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
 //   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
 //   stillcut --sheet OUT.pdf [--language en|de|zh]                       the machinist's sheet, one page to print
-// Without a scenario or a profile it opens the demonstration; the first time the guide asks before anything runs.
+// Without a scenario or a profile the machine of the last run comes up again, with authority Off. Where nobody
+// has a profile it is the demonstration, the first time by the guide's question; a profile that was never started, or
+// that cannot be, is offered on the page Set up, and nothing runs.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -29,6 +31,7 @@
 #include "app/session/orderly_end.h"
 #include "app/session/session.h"
 #include "generated/version.h"
+#include "ui/base/say.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/sheet_pdf.h"
 #include "ui/shell/window_state.h"
@@ -226,6 +229,26 @@ ProgramLog openLog(const Options& options) {
   return opened;
 }
 
+struct Opened {
+  Result<std::unique_ptr<Session>> session;
+  bool lastProfile = false;      // the machine of the last run
+  std::optional<Error> problem;  // why it is not
+};
+
+// What was named, or the machine of the last run. Where that one cannot be opened, its error, and the demonstration
+// stands by without running.
+Opened open(const Options& options, const QString& lastProfile, bool live) {
+  const Recorded recorded = options.record.isEmpty() ? Recorded::AsProfileSays : Recorded::Otherwise;
+  std::optional<Error> problem;
+  if (!lastProfile.isEmpty()) {
+    auto again = openProfileSession(lastProfile.toStdString(), recorded);
+    if (again) return {std::move(again), true, {}};
+    problem = again.error();
+  }
+  if (!options.profile.isEmpty()) return {openProfileSession(options.profile.toStdString(), recorded), false, {}};
+  return {openScenarioSession(options.scenario.toStdString(), live), false, problem};
+}
+
 // Longer than a screen: the order in which the program comes up and goes down
 int run(int argc, char** argv) {
   if (needsNoDisplay(argc, argv)) qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -253,10 +276,10 @@ int run(int argc, char** argv) {
   const bool live = options->screenshot.isEmpty();
   if (live) mindInterruption();
   const ProgramLog log = live ? openLog(*options) : ProgramLog();
-  auto session = options->profile.isEmpty()
-                     ? openScenarioSession(options->scenario.toStdString(), live)
-                     : openProfileSession(options->profile.toStdString(),
-                                          options->record.isEmpty() ? Recorded::AsProfileSays : Recorded::Otherwise);
+  const QString state = QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation);
+  const LastRun last(live ? state : QString());
+  Opened opened = open(*options, live && options->nothingNamed ? last.before().profile : QString(), live);
+  auto& session = opened.session;
   const auto refuse = [&log](const Error& error) {
     log.write(LogLevel::Error, "not started: " + error.line());
     return fail(error.line());
@@ -269,7 +292,7 @@ int run(int argc, char** argv) {
   }
 
   // Pictures are made of what the command line says alone.
-  if (live) (*session)->keepStateIn(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation));
+  if (live) (*session)->keepStateIn(state);
   (*session)->demonstrateWith((resourceFolder() / "scenarios/demo.toml").string());
   (*session)->keepRecordingsIn(recordingsOf(*options));
   ui::MainWindow window(**session, options->theme, options->language);
@@ -287,7 +310,15 @@ int run(int argc, char** argv) {
       interrupted);
   QObject::connect(&window, &ui::MainWindow::closed, [&end] { end.endNow(); });
   (*session)->keepFlightsIn(defaultFlightsFolder());
-  if (!options->nothingNamed || !window.offerGuide()) (*session)->start();
+  // In the window's language.
+  (*session)->tell(opened.problem ? ui::sayError(*opened.problem) : last.sentence());
+  if (!options->nothingNamed || opened.lastProfile) {
+    (*session)->start();
+  } else if (!window.offerGuide()) {
+    // Whoever has a machine is not shown another one that nobody chose.
+    const bool noMachine = !opened.problem && (*session)->setup()->profiles().isEmpty();
+    noMachine ? (*session)->start() : window.showPage(QStringLiteral("setup"));
+  }
   window.start();
   window.show();
   QTimer interruption;

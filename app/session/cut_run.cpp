@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/compose/active_setup.h"
+#include "app/compose/known_lobes.h"
 #include "app/compose/left_overrides.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/scenario_rig.h"
@@ -106,10 +107,16 @@ config::Profile CutRun::asProfile() const {
 ui::LinkStatus CutRun::link() const {
   if (!rig_->finished()) {
     const auto left = rig_->leftInMachine();
-    return {left ? ui::sayCore(leftSentence(*left)) : QString(), ui::sayCore(rig_->device().trouble())};
+    return {left ? ui::sayCore(leftSentence(*left)) : QString(),
+            ui::sayCore(rig_->device().trouble()),
+            {},
+            rig_->releaseNotYetBack()};
   }
   const Message fault = rig_->device().fault();
-  return {{}, fault.empty() ? QCoreApplication::translate("Session", "The run has ended") : ui::sayCore(fault)};
+  return {{},
+          fault.empty() ? QCoreApplication::translate("Session", "The run has ended") : ui::sayCore(fault),
+          {},
+          rig_->releaseNotYetBack()};
 }
 
 ui::RecorderView CutRun::recorder() const {
@@ -146,6 +153,18 @@ Result<std::unique_ptr<CutRun>> openScenarioRun(const std::string& path, bool li
   if (active::SimulatedDuplex::check(*scenario)) run->setActive(makeSimulatedActiveLoopController(*scenario, params));
   if (scenario->grantsAuto) run->send({OperatorAction::GrantBySimulation, Authority::Auto});
   return run;
+}
+
+Status checkProfileRun(const std::string& path) {
+  const auto profile = config::loadProfile(path, pipeline::fullCatalog(), knownIds());
+  if (!profile) return profile.error();
+  if (auto parts = makeProfileParts(*profile, path, nullptr, AnalogOutputs::LeftAlone); !parts) return parts.error();
+  if (auto known = stableSpeeds(*profile, modelFile(*profile, path)); !known) return known.error();
+  if (auto limits = safety::gateLimits(profile->params, profile->cut, path, {}); !limits) return limits.error();
+  if (auto lobes = LobeWorker::ofProfile(*profile, path); !lobes) return lobes.error();
+  if (profile->active.id.empty()) return Done{};
+  auto table = makeActiveParts(*profile);
+  return table ? Status(Done{}) : Status(table.error());
 }
 
 Result<std::unique_ptr<CutRun>> openProfileRun(const std::string& path, Recorded recorded) {

@@ -14,6 +14,7 @@
 #include "app/session/active_loop_controller.h"
 #include "app/session/deletions.h"
 #include "app/session/lobe_worker.h"
+#include "app/session/session_view.h"
 #include "core/config/profile.h"
 #include "ui/facade/session_info.h"
 
@@ -52,6 +53,8 @@ class CutRun {
   Rig& rig() { return *rig_; }
   const Rig& rig() const { return *rig_; }
   const ui::SessionInfo& info() const { return info_; }
+  // A limit that a screen draws has been given another value, which decides from the next block on.
+  void noteTuned(const config::ParamDecl& decl, double value) { takeLimit(info_.limits, decl, value); }
   const std::string& profilePath() const { return profile_; }     // empty: made from none
   const QString& recordingFolder() const { return recordings_; }  // empty: not recorded into one
   LobeWorker* lobes() const { return lobes_.get(); }              // null: the modes of its cut are not known
@@ -89,6 +92,9 @@ Result<std::unique_ptr<CutRun>> openScenarioRun(const std::string& path, bool li
 // Live, on the device and the machine of a profile. Authority starts Off. It is recorded as the profile says, unless it
 // is recorded otherwise.
 enum class Recorded { AsProfileSays, Otherwise };
+// All that can be told of a profile without opening a device or a machine: its file, parts, methods, limits, modes and
+// work-holder. What runs meanwhile is not touched.
+Status checkProfileRun(const std::string& path);
 Result<std::unique_ptr<CutRun>> openProfileRun(const std::string& path, Recorded recorded = Recorded::AsProfileSays);
 
 }  // namespace stillcut::app

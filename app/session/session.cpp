@@ -15,6 +15,7 @@ bool isAnswer(OperatorAction action) {
     case OperatorAction::TrueAlarm:
     case OperatorAction::FalseAlarm:
     case OperatorAction::ReportChatter:
+    case OperatorAction::UndoMark:
       return true;
     default:
       return false;
@@ -49,9 +50,9 @@ Session::Session(std::unique_ptr<CutRun> run) : run_(std::move(run)) {
   machine_.measured = [this] { return LinkDelays{run_->asProfile().link, {}, run_->linkEffect()}; };
   machine_.recorded = [this] { return run_->recordingNow(); };
   machine_.clocks = [this] { return joinedClocks(run_->rig().device()); };
-  machine_.begin = [this](const std::string& path) {
-    return switchTo(
-        [this, &path] { return openProfileRun(path, asked_.empty() ? Recorded::AsProfileSays : Recorded::Otherwise); });
+  machine_.begin = [this](const std::string& path) -> Status {
+    if (Status whole = checkProfileRun(path); !whole) return whole;
+    return switchTo(opening(path));
   };
 }
 
@@ -77,8 +78,32 @@ void Session::demonstrateWith(const std::string& scenario) {
   };
 }
 
+void Session::start() {
+  run_->start(flights_, log_);
+  last_.begin(QString::fromStdString(run_->profilePath()));
+}
+
+Status Session::stop() {
+  Status kept = run_->stop();
+  last_.end();
+  return kept;
+}
+
+ui::LinkStatus Session::link() const {
+  ui::LinkStatus link = run_->link();
+  link.notice = notice_;
+  return link;
+}
+
+Session::Opening Session::opening(const std::string& profile) const {
+  return [profile, otherwise = !asked_.empty()] {
+    return openProfileRun(profile, otherwise ? Recorded::Otherwise : Recorded::AsProfileSays);
+  };
+}
+
 Status Session::switchTo(const Opening& open) {
   if (Status may = mayLeaveMachine(message("start")); !may) return may;
+  const std::string before = run_->profilePath();
   (void)stop().ok();  // what its recording lacks is in the log, and no reason not to watch the next cut
   auto next = open();
   if (next) {
@@ -87,6 +112,10 @@ Status Session::switchTo(const Opening& open) {
   }
   const Error& error = next.error();
   log_.write(LogLevel::Error, "no run begins: " + error.line());
+  if (auto again = before.empty() ? Result<std::unique_ptr<CutRun>>(error) : opening(before)(); again) {
+    place(std::move(again).value());
+    return Error{error.where, error.what, message("%1; the machine before runs again, authority is Off", error.why)};
+  }
   return Error{error.where, error.what, message("%1; the cut before has been stopped", error.why)};
 }
 
@@ -102,6 +131,8 @@ void Session::place(std::unique_ptr<CutRun> next) {
 
 const Snapshot* Session::pull() {
   const Snapshot* live = run_->read();
+  constexpr int kSometimes = 30;  // ticks: a name on the disk is not needed sooner
+  if (live != nullptr && ++ticks_ % kSometimes == 0) last_.recordTo(run_->recordingNow().path);
   sendTuned();
   return shown() ? replays_.replayed() : live;
 }
@@ -119,6 +150,7 @@ void Session::showChannel(int channel) {
 }
 
 void Session::send(const OperatorInput& input, std::uint32_t seen) {
+  notice_.clear();
   if (isAnswer(input.action) && (shown() || seen != generation())) return;
   if (input.action == OperatorAction::SetAuthority && input.authority != Authority::Off) {
     (void)replays_.showEverywhere(false).ok();  // whoever puts us in command sees the machine
@@ -130,11 +162,15 @@ void Session::sendTuned() {
   if (run_->live() != nullptr) {
     tuning_.sendCut([this](const OperatorInput& input, const config::ParamDecl* decl) {
       if (run_->active() != nullptr && decl != nullptr) run_->active()->tune(decl->key, input.value);
+      if (decl != nullptr) run_->noteTuned(*decl, input.value);
       run_->rig().send(input);
     });
   }
   if (replays_.rig() == nullptr) return;
-  tuning_.sendReplay([this](const OperatorInput& input, const config::ParamDecl*) { replays_.send(input); });
+  tuning_.sendReplay([this](const OperatorInput& input, const config::ParamDecl* decl) {
+    if (decl != nullptr) replays_.noteTuned(*decl, input.value);
+    replays_.send(input);
+  });
 }
 
 Status Session::mayLeaveMachine(Message doing) const {

@@ -9,6 +9,7 @@
 
 #include "app/log/program_log.h"
 #include "app/session/cut_run.h"
+#include "app/session/last_run.h"
 #include "app/session/machine_setup.h"
 #include "app/session/replay/replay_controller.h"
 #include "app/session/session_tuning.h"
@@ -33,7 +34,10 @@ class Session final : public ui::SessionFacade {
   void keepStateIn(const QString& folder) {
     stateFolder_ = folder;
     machine_.keepIn(folder);
+    last_ = LastRun(folder);
   }
+  // Something that whoever sits down at the screen should know, until a touch of his shows that he is there.
+  void tell(const QString& notice) { notice_ = notice; }
   // What the Set up page may show of a first start.
   void demonstrateWith(const std::string& scenario);
   // Before start(): where flight recordings go.
@@ -43,10 +47,10 @@ class Session final : public ui::SessionFacade {
   // Lists recordings, and puts them there when a profile does not say otherwise.
   void keepRecordingsIn(const QString& folder);
   // Threads on.
-  void start() { run_->start(flights_, log_); }
+  void start();
   // The end of the window is the end of the run, as stop() says; `tell` has what went wrong.
   void endWith(const ui::MainWindow& window, std::function<void(const Error&)> tell);
-  Status stop() { return run_->stop(); }
+  Status stop();
   // Instead of start(): one block at once. False: the source has ended.
   bool advance() { return run_->rig().advance(); }
 
@@ -62,7 +66,7 @@ class Session final : public ui::SessionFacade {
   // Always to the cut. Whoever gives us authority over the machine has it back on every page.
   void send(const OperatorInput& input, std::uint32_t seen) override;
   ui::RecorderView recorder() const override { return run_->recorder(); }
-  ui::LinkStatus link() const override { return run_->link(); }
+  ui::LinkStatus link() const override;
   ui::LobeService* lobes() override { return shown() ? replays_.lobes() : run_->lobes(); }
   QString stateFolder() const override { return stateFolder_; }
   ui::Tuning* tuning() override { return &tuning_; }
@@ -75,9 +79,11 @@ class Session final : public ui::SessionFacade {
   // An error where a machine that we command would go out of sight, or lose its run.
   Status mayLeaveMachine(Message doing) const;
   void sendTuned();
-  // Another run takes the place of this one, whose machine gets its programmed values back first.
+  // Another run takes the place of this one, whose machine gets its programmed values back first. Where it cannot be
+  // opened the one before begins anew, as far as it has a profile, with authority Off.
   using Opening = std::function<Result<std::unique_ptr<CutRun>>()>;
   Status switchTo(const Opening& open);
+  Opening opening(const std::string& profile) const;
   void place(std::unique_ptr<CutRun> next);
 
   ProgramLog log_;  // outlives the run
@@ -87,7 +93,9 @@ class Session final : public ui::SessionFacade {
   SessionTuning tuning_;
   std::uint32_t runs_ = 0;  // placed before this one
   std::filesystem::path flights_;
-  QString stateFolder_;
+  QString stateFolder_, notice_;
+  LastRun last_{QString()};
+  int ticks_ = 0;
   std::string asked_;  // where everything is recorded; empty: as each run says
 };
 

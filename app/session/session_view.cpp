@@ -38,4 +38,9 @@ ui::SessionInfo sessionInfo(const Rig& rig) {
   return info;
 }
 
+void takeLimit(ui::LimitMarks& limits, const config::ParamDecl& decl, double value) {
+  if (decl.key == detect::kErChatter.key) limits.energyRatio = value;
+  if (decl.key == detect::kCohGammaRef.key) limits.coherence = value;
+}
+
 }  // namespace stillcut::app

@@ -12,5 +12,7 @@ namespace stillcut::app {
 QString viewText(std::string_view s);
 // Everything but the source's label and the wall clock.
 ui::SessionInfo sessionInfo(const Rig& rig);
+// Where `decl` is one of the limits that are drawn.
+void takeLimit(ui::LimitMarks& limits, const config::ParamDecl& decl, double value);
 
 }  // namespace stillcut::app

@@ -25,21 +25,27 @@ inline Reason finite(Reason reason) {
   return reason;
 }
 
+// Where a number is not known, the sentence without it.
 inline Reason monitoringAt(const StrategyInput& in) {
+  if (!positive(commandedOrActualSpeed(in.machine))) return {ReasonCode::Monitoring, {}};
   return {ReasonCode::MonitoringAt, {commandedOrActualSpeed(in.machine), shown(in.verdict.severity.value)}};
 }
 
 inline Reason nothingToDoAt(const StrategyInput& in) {
+  if (!positive(commandedOrActualSpeed(in.machine))) return {ReasonCode::NothingToDo, {}};
   return {ReasonCode::NothingToDoAt, {commandedOrActualSpeed(in.machine), shown(in.verdict.severity.value)}};
 }
 
 // `target`: what is asked for; 0: nothing.
 inline Reason nothingUsable(Rpm target, const MachineState& m) {
-  return {ReasonCode::NothingUsable, {positive(target.value) ? target.value : commandedOrActualSpeed(m)}};
+  const double speed = positive(target.value) ? target.value : commandedOrActualSpeed(m);
+  if (!positive(speed)) return {ReasonCode::VerdictNotUsable, {}};
+  return {ReasonCode::NothingUsable, {speed}};
 }
 
 inline Reason teethNotKnown(const StrategyInput& in) {
   const double heard = in.verdict.alarming() ? in.verdict.frequency.value : 0.0;
+  if (!positive(heard)) return nothingToDoAt(in);
   return {ReasonCode::TeethNotKnown, {shown(heard), commandedOrActualSpeed(in.machine)}};
 }
 

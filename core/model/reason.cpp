@@ -19,7 +19,7 @@ constexpr Row kRows[] = {
     {ReasonCode::None, "none", ""},
     {ReasonCode::Learning, "learning", "still learning, {0.1} s to go"},
     {ReasonCode::NoSpeed, "no-speed", "the spindle speed is not known"},
-    {ReasonCode::NoTeeth, "no-teeth", "the number of teeth is not known"},
+    {ReasonCode::NoTeeth, "no-teeth", "the number of flutes is not known"},
     {ReasonCode::NoAirCutting, "no-air",
      "a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself"},
     {ReasonCode::InputGap, "input-gap", "samples are missing ({0.0} counted)"},
@@ -64,7 +64,7 @@ constexpr Row kRows[] = {
     {ReasonCode::VerdictNotUsable, "verdict-not-usable", "there is no usable verdict to act on"},
     {ReasonCode::Recovering, "recovering", "going back towards {0.2}"},
     {ReasonCode::AlreadyThere, "already-there", "{0.0} rpm is already the speed for chatter at {1.0} Hz"},
-    {ReasonCode::KeepingSpeed, "keeping-speed", "quiet, keeping {0.0} rpm that chatter of {1.0} Hz asked for"},
+    {ReasonCode::KeepingSpeed, "keeping-speed", "stable, keeping {0.0} rpm that chatter of {1.0} Hz asked for"},
     {ReasonCode::NextPocketInRange, "next-pocket-in-range",
      "{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)"},
     {ReasonCode::QuarterWave, "quarter-wave",
@@ -79,7 +79,7 @@ constexpr Row kRows[] = {
     {ReasonCode::NoStableSpeed, "no-stable-speed",
      "no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)"},
     {ReasonCode::NoStableSpeedTried, "no-stable-speed-tried",
-     "{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed "
+     "{0.0} speeds tried and none is stable (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed "
      "before"},
     {ReasonCode::FuzzyRules, "fuzzy-rules",
      "coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min"},
@@ -120,7 +120,7 @@ constexpr Row kRows[] = {
     {ReasonCode::AdviceAccepted, "advice-accepted", "the operator accepted {0.0} rpm and {1.0} mm/min"},
     {ReasonCode::AdviceRefused, "advice-refused", "the operator refused {0.0} rpm and {1.0} mm/min"},
     {ReasonCode::ChatterBegan, "chatter-began", "chatter at {0.0} Hz, energy ratio {1.2}"},
-    {ReasonCode::ChatterEnded, "chatter-ended", "quiet again after {0.2} s and {1.1} mm of feed"},
+    {ReasonCode::ChatterEnded, "chatter-ended", "stable again after {0.2} s and {1.1} mm of feed"},
     {ReasonCode::AuthorityChanged, "authority-changed", "authority changed from {0.0} to {1.0}"},
     {ReasonCode::BackToProgrammed, "back-to-programmed", "back to 100 % at the operator's wish"},
     {ReasonCode::LinkLost, "link-lost", "the machine has not answered for {0.2} s"},
@@ -141,7 +141,7 @@ constexpr Row kRows[] = {
     {ReasonCode::NothingToDoAt, "nothing-to-do-at", "nothing to do at {0.0} rpm and an energy ratio of {1.2}"},
     {ReasonCode::NothingUsable, "nothing-usable", "verdict or machine state cannot be acted on, staying at {0.0} rpm"},
     {ReasonCode::TeethNotKnown, "teeth-not-known",
-     "the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm"},
+     "the number of flutes is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm"},
     {ReasonCode::InterventionNoHelp, "intervention-no-help",
      "the move to {0.0} rpm did not help ({1.0} in a row, {2.0} end Auto)"},
     {ReasonCode::InterventionLouder, "intervention-louder",
@@ -155,6 +155,7 @@ constexpr Row kRows[] = {
     {ReasonCode::GateOldSamples, "gate-old-samples",
      "the newest samples that were judged are {0.2} s old, nothing is moved by them"},
     {ReasonCode::InputAbsurd, "input-absurd", "channel {0.0} delivers values that no sensor has"},
+    {ReasonCode::MachineNeverRead, "machine-never-read", "nothing was read from a machine yet"},
 };
 
 const Row& rowOf(ReasonCode code) {

@@ -118,6 +118,7 @@ enum class ReasonCode : std::uint16_t {
   InterventionForced,    // rpm moved to, times as loud as before: quiet of chatter, but loud
   GateOldSamples,        // age s of the newest samples that were judged, by the machine's newest state
   InputAbsurd,           // channel
+  MachineNeverRead,      // -: there is no machine, or it has not answered yet
 };
 
 struct Reason {

@@ -11,6 +11,7 @@
 #include "core/model/override_command.h"
 #include "core/model/override_request.h"
 #include "core/model/sensor_status.h"
+#include "core/model/speed_advice.h"
 #include "core/model/verdict.h"
 
 namespace stillcut {
@@ -62,6 +63,7 @@ struct Snapshot {
   OverrideRequest request;
   bool adviceOpen = false;  // the request waits for accept or refuse
   std::uint32_t adviceNumber = 0;
+  SpeedAdvice advice;  // of the cut in hand, whether or not anybody may follow it
   CommandRecord command;
   bool commanding = false;  // a command other than release is in force
   Authority authority = Authority::Off;

@@ -73,6 +73,8 @@ void Chain::prepare(const CutSetup& setup, const config::ParamSet& params, const
   conditioner_.prepare(setup, params);
   for (auto& detector : parts_.detectors) detector->prepare(setup, params);
   parts_.strategy->prepare(setup, params);
+  setup_ = setup;
+  advice_.prepare(setup, params, parts_.strategy->describe().id);
   gate_.prepare(limits);
   gateSaid_ = {};
   gateSaid_.autoAllowed = limits.autoAllowed;
@@ -140,7 +142,10 @@ void Chain::takeParameters(const StepInput& input) noexcept {
       failDetector(i, input.block.end());
     }
   }
-  strategyFailed_ = !withoutThrow([&] { parts_.strategy->retune(params_); }) || strategyFailed_;
+  strategyFailed_ = !withoutThrow([&] {
+    parts_.strategy->retune(params_);
+    advice_.retune(params_);
+  }) || strategyFailed_;
 }
 
 void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {
@@ -196,14 +201,17 @@ OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   const control::StrategyInput seen{.now = input.block.end(),
                                     .dt = dt_,
                                     .verdict = verdict,
-                                    .machine = machineSeenByRequests(),
+                                    .machine = machineSeenByRequests(verdict, input.block.end()),
                                     .perturbation = read(perturbation_),
                                     .vibration = step_.vibrationRms,
                                     .coherence = read(coherence_),
                                     .energy = read(energy_)};
   if (!strategyFailed_) {
     OverrideRequest request;
-    if (withoutThrow([&] { request = parts_.strategy->decide(seen); })) return request;
+    if (withoutThrow([&] { request = parts_.strategy->decide(seen); })) {
+      advise(seen, request);
+      return request;
+    }
     strategyFailed_ = true;  // never asked again; the gate lets go at once
   }
   OverrideRequest none;
@@ -212,7 +220,15 @@ OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   return none;
 }
 
-MachineState Chain::machineSeenByRequests() const noexcept {
+// A fault of who only advises is a fault of the strategy: nobody knows what else it got wrong.
+void Chain::advise(const control::StrategyInput& seen, const OverrideRequest& asked) noexcept {
+  strategyFailed_ = !withoutThrow([&] { step_.advice = advice_.look(seen, asked); }) || strategyFailed_;
+}
+
+// Without a machine the cut is as it was set up, for a strategy whose advice a hand may follow; the gate sees what was
+// really read.
+MachineState Chain::machineSeenByRequests(const Verdict& verdict, Instant now) const noexcept {
+  if (control::neverRead(machine_)) return control::machineAsSetUp(setup_, verdict.spindle, now);
   MachineState seen = machine_;
   if (gateSaid_.knobs) {
     seen.operatorSpeed = gateSaid_.knobs->speed;
@@ -239,6 +255,7 @@ void Chain::runGate(const StepInput& input) noexcept {
   // So far the step has told of the detectors only; the gate's own cause follows.
   for (int i = 0; i < out.eventCount; ++i) flights_.capture(out.events[static_cast<std::size_t>(i)].reason, in.now);
   if (gate.flight) flights_.capture(gate.flightCause, in.now);
+  if (gate.adviceOpen) step_.advice = advice_.take(gate.advice, machine_);
   out.authority = gate.authority;
   out.hasCommand = gate.command.has_value();
   if (gate.command) out.command = gate.command->record();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/config/param_set.h"
+#include "core/control/standing_advice.h"
 #include "core/control/strategy.h"
 #include "core/detect/detector.h"
 #include "core/model/cut_setup.h"
@@ -41,6 +42,7 @@ class Chain {
     safety::GateOutput gate;    // authority, advice, holds
     double vibrationRms = 0.0;  // first channel, SI
     MetresPerSecond feed{};     // the machine's, or as set up; 0: unknown
+    SpeedAdvice advice;         // under every authority, and without a machine
     const SensorStatus* sensors = nullptr;
     bool strategyFailed = false;  // now or earlier: monitoring only until the next prepare()
     bool detectorFailed = false;
@@ -71,10 +73,13 @@ class Chain {
   // Its newest value where the detector's verdict is valid; negative: unknown.
   double read(const Indicator& indicator) const noexcept;
   void runGate(const StepInput& input) noexcept;
-  MachineState machineSeenByRequests() const noexcept;
+  MachineState machineSeenByRequests(const Verdict& verdict, Instant now) const noexcept;
+  void advise(const control::StrategyInput& seen, const OverrideRequest& asked) noexcept;
 
   ChainParts parts_;
   config::ParamSet params_;  // of the tunable ones, every key set
+  CutSetup setup_;
+  control::StandingAdvice advice_;
   detect::Conditioner conditioner_;
   safety::OverrideGate gate_;
   struct GateSaid {

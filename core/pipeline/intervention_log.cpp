@@ -18,6 +18,11 @@ bool moves(const CommandRecord& c) {
          (std::abs(c.speed.value - 1.0) > kMoved || std::abs(c.feed.value - 1.0) > kMoved);
 }
 
+// Without a machine the spindle is as fast as its vibration says.
+Rpm speedOf(const StepInput& input, const Verdict& verdict) {
+  return input.machine.actualSpeed.value > 0.0 ? input.machine.actualSpeed : toRpm(verdict.spindle);
+}
+
 }  // namespace
 
 void InterventionLog::append(StepOutput& output, EventLevel level, Instant time, const Reason& reason) noexcept {
@@ -45,6 +50,18 @@ void InterventionLog::follow(const StepInput& input, StepOutput& output, const C
     if (!open_) begin(input, output, verdict, cut);
   }
   if (open_) update(input, output, verdict, cut, dt);
+  judge(cut.judged);
+}
+
+// It may come after the card was closed: a move has helped when the alarm has stayed away for a while.
+void InterventionLog::judge(const safety::GateOutput::Judged& judged) noexcept {
+  if (judged.outcome == MoveOutcome::None || count_ == 0) return;
+  Intervention& card = cards_[(count_ - 1) % kInterventionsShown];
+  if (card.commanded == Instant{}) return;
+  card.outcome = judged.outcome;
+  card.timesAsLoud = judged.timesAsLoud;
+  card.withoutHelp = judged.withoutHelp;
+  card.endedAuto = judged.endsAuto;
 }
 
 void InterventionLog::begin(const StepInput& input, StepOutput& output, const Verdict& verdict,
@@ -54,7 +71,7 @@ void InterventionLog::begin(const StepInput& input, StepOutput& output, const Ve
   card.number = count_++;
   card.began = verdict.time;
   card.frequency = verdict.frequency;
-  card.speedBefore = card.speedAfter = input.machine.actualSpeed;
+  card.speedBefore = card.speedAfter = speedOf(input, verdict);
   card.feedBefore = card.feedAfter = input.machine.actualFeed;
   card.vibrationBefore = cut.vibrationRms;
   open_ = true;
@@ -66,7 +83,7 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
                              Seconds dt) noexcept {
   Intervention& card = cards_[(count_ - 1) % kInterventionsShown];
   if (output.hasCommand && moves(output.command) && card.commanded == Instant{}) card.commanded = output.command.time;
-  card.speedAfter = input.machine.actualSpeed;
+  card.speedAfter = speedOf(input, verdict);
   card.feedAfter = input.machine.actualFeed;
   const MetresPerSecond wanted = input.machine.programmedFeed * input.machine.operatorFeed.value;
   const bool known = wanted.value > 0.0 && card.feedAfter.value > 0.0;

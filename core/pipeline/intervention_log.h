@@ -9,13 +9,15 @@
 #include "core/model/event.h"
 #include "core/model/snapshot.h"
 #include "core/model/step_record.h"
+#include "core/safety/gate_io.h"
 
 namespace stillcut::pipeline {
 
 // What the conditioner made of the block.
 struct CutNow {
-  double vibrationRms = 0.0;  // first channel, SI
-  MetresPerSecond feed{};     // also of a cut without a machine's link, as set up; 0: unknown
+  double vibrationRms = 0.0;            // first channel, SI
+  MetresPerSecond feed{};               // also of a cut without a machine's link, as set up; 0: unknown
+  safety::GateOutput::Judged judged{};  // what came of a move, when it was judged in this block
 };
 
 class InterventionLog {
@@ -33,6 +35,7 @@ class InterventionLog {
   std::uint64_t eventsLost() const { return eventsLost_; }
 
  private:
+  void judge(const safety::GateOutput::Judged& judged) noexcept;
   void begin(const StepInput& input, StepOutput& output, const Verdict& verdict, const CutNow& cut) noexcept;
   void update(const StepInput& input, StepOutput& output, const Verdict& verdict, const CutNow& cut,
               Seconds dt) noexcept;

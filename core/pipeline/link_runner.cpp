@@ -30,10 +30,12 @@ void LinkRunner::tick(Instant now) noexcept {
     switch (lease_.poll(newest ? &*newest : nullptr, now + asleep_)) {
       case safety::LinkAction::Apply:
         effect_.commanded(newest->speed(), newest->feed(), now);
+        released_.set();
         link_.apply(*newest, now);
         break;
       case safety::LinkAction::Release:
         effect_.commanded(Ratio(1.0), Ratio(1.0), now);
+        released_.release(now);
         link_.release(now);
         break;
       case safety::LinkAction::Nothing:
@@ -43,6 +45,8 @@ void LinkRunner::tick(Instant now) noexcept {
   }
   MachineState state = link_.read(now);
   state.endedEngagement = lease_.endedEngagement();
+  released_.look(state);
+  notYetBack_.store(released_.notYetBack(), std::memory_order_relaxed);
   measure(state);
   states_.post(state);
 }

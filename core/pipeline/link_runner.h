@@ -14,6 +14,7 @@
 #include "core/model/override_command.h"
 #include "core/rt/mailbox.h"
 #include "core/safety/lease_watch.h"
+#include "core/safety/release_watch.h"
 
 namespace stillcut::pipeline {
 
@@ -23,6 +24,7 @@ struct LinkTally {
   std::uint64_t leasesExpired = 0;
   std::uint64_t stalls = 0;  // ticks that came more than 0.5 s late, and sleeps of the computer
   Instant lastTick{};        // 0: none yet
+  bool notYetBack = false;   // released, and not read back yet
 };
 
 class LinkRunner {
@@ -47,7 +49,7 @@ class LinkRunner {
   std::uint64_t leasesExpired() const { return leasesExpired_.load(std::memory_order_relaxed); }
   LinkTally tally() const {
     return {leasesExpired(), stalls_.load(std::memory_order_relaxed),
-            instantFromNs(lastTick_ns_.load(std::memory_order_relaxed))};
+            instantFromNs(lastTick_ns_.load(std::memory_order_relaxed)), notYetBack_.load(std::memory_order_relaxed)};
   }
 
  private:
@@ -59,6 +61,7 @@ class LinkRunner {
   rt::Mailbox<MachineState>& states_;
   const Clock* boot_;
   safety::LeaseWatch lease_;
+  safety::ReleaseWatch released_;
   cnc::EffectGauge effect_;
   Instant lastTick_{};
   bool ticked_ = false;
@@ -68,6 +71,7 @@ class LinkRunner {
   std::atomic<std::uint64_t> stalls_{0};
   std::atomic<std::int64_t> lastTick_ns_{0};
   std::atomic<std::uint64_t> leasesExpired_{0};
+  std::atomic<bool> notYetBack_{false};
 };
 
 }  // namespace stillcut::pipeline

@@ -40,6 +40,7 @@ void SnapshotPublisher::publish(const StepInput& input, const StepOutput& output
   s.request = output.request;
   s.adviceOpen = step.gate.adviceOpen;
   s.adviceNumber = step.gate.adviceNumber;
+  s.advice = step.advice;
   s.command = lastCommand_;
   s.commanding = commanding_;
   s.authority = step.gate.authority;

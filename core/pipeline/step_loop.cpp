@@ -23,7 +23,7 @@ const Chain::Step& StepLoop::step(StepInput& input) noexcept {
   output_ = done.output;
   tellLosses(input.block.end());
   tellLostEvents(input.block.end());
-  log_.follow(input, output_, {done.vibrationRms, done.feed},
+  log_.follow(input, output_, {done.vibrationRms, done.feed, done.gate.judged},
               started_ ? secondsBetween(previous_, input.block.end()) : length);
   eventsLost_ += static_cast<std::uint64_t>(done.eventsLost);
   previous_ = input.block.end();

@@ -27,8 +27,9 @@ bool fresh(Instant stamp, Instant now, Seconds maxAge) noexcept {
   return std::abs(ageOf(stamp, now)) <= maxAge.value;
 }
 
+// What is stamped later than now is new, not older than nothing.
 Reason ageReason(ReasonCode code, Instant stamp, Instant now) noexcept {
-  return {code, {ageOf(stamp, now)}};
+  return {code, {std::max(0.0, ageOf(stamp, now))}};
 }
 
 // A machine is read while the block that is judged still waits in a sound card's buffer: stamped a little later than
@@ -45,6 +46,8 @@ bool plausible(const MachineState& m) STILLCUT_RT {
 }
 
 Reason checkMachine(const MachineState& m, Instant now, Seconds maxAge) STILLCUT_RT {
+  // A machine that was never read has not answered for any time: there may be none.
+  if (!m.linkUp && m.time == Instant{} && !m.valid) return {ReasonCode::MachineNeverRead, {}};
   if (!m.linkUp) return ageReason(ReasonCode::LinkLost, m.time, now);
   if (!m.valid || !plausible(m)) return {ReasonCode::GateMachineInvalid, {}};
   const bool ahead = m.time > now && fresh(m.time, now, Seconds(std::max(kAhead, maxAge.value)));

@@ -46,6 +46,14 @@ struct GateOutput {
   bool autoAllowed = false;
   bool adviceOpen = false;         // the request waits for accept or refuse
   std::uint32_t adviceNumber = 0;  // of the one on the desk; accepting needs it
+  OverrideRequest advice;          // the one on the desk, as accepting would execute it
+  struct Judged {
+    MoveOutcome outcome = MoveOutcome::None;
+    double timesAsLoud = 0.0;  // vibration over that before the move; 0: not known
+    int withoutHelp = 0;       // moves in a row
+    bool endsAuto = false;
+  };
+  Judged judged;  // in this step: what came of a move
   bool operatorHold = false;
   std::optional<WishKnobs> knobs;  // of the next step's wish; none: as the machine tells them
   Reason reason;                   // why the gate does what it does now

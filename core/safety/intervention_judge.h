@@ -11,12 +11,13 @@
 #pragma once
 
 #include "core/base/realtime.h"
+#include "core/model/event.h"
 #include "core/safety/intervention_rules.h"
 #include "core/safety/override_ramp.h"
 
 namespace stillcut::safety {
 
-enum class Outcome { None, Helped, NotHelped, Louder };
+using Outcome = MoveOutcome;
 
 // One step, as the gate sees it.
 struct InterventionStep {

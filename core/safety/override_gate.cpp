@@ -86,7 +86,8 @@ void OverrideGate::watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT {
       break;
     case SaidOnce::LinkNews::Lost:
       if (commanding() || authority_ != Authority::Off) break;
-      report(out, in.now, EventLevel::Warning, {ReasonCode::LinkLost, {secondsBetween(in.machine.time, in.now).value}});
+      report(out, in.now, EventLevel::Warning,
+             {ReasonCode::LinkLost, {std::max(0.0, secondsBetween(in.machine.time, in.now).value)}});
       break;
     case SaidOnce::LinkNews::None:
       break;
@@ -154,6 +155,7 @@ void OverrideGate::issue(const GateInput& in, GateOutput& out) STILLCUT_RT {
   out.autoAllowed = limits_.autoAllowed;
   out.adviceOpen = pendingAdvice_.open();
   out.adviceNumber = pendingAdvice_.number();
+  if (out.adviceOpen) out.advice = pendingAdvice_.advice().request;
   out.operatorHold = operatorHold_;
 }
 

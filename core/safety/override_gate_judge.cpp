@@ -38,6 +38,7 @@ void OverrideGate::judgeMove(const GateInput& in, GateOutput& out) STILLCUT_RT {
 }
 
 void OverrideGate::take(Outcome outcome, Instant now, GateOutput& out) STILLCUT_RT {
+  if (outcome != Outcome::None) out.judged = {outcome, judge_.timesAsLoud(), judge_.withoutHelp(), false};
   if (outcome == Outcome::Helped && judge_.louder()) {
     say(out, now, EventLevel::Info, {ReasonCode::InterventionForced, {judgedFor_.value, judge_.timesAsLoud()}});
   }
@@ -50,6 +51,7 @@ void OverrideGate::take(Outcome outcome, Instant now, GateOutput& out) STILLCUT_
   // Under Advise each move is the operator's own, the one back as well.
   if (authority_ != Authority::Auto) return;
   if (judge_.usedUp()) {
+    out.judged.endsAuto = true;
     withdrawAuto(now, out);
   } else if (louder && steering()) {
     undoMove();

@@ -39,6 +39,7 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
       case OperatorAction::FalseAlarm:
       case OperatorAction::ReportChatter:
       case OperatorAction::SetParameter:
+      case OperatorAction::UndoMark:
         break;  // for the detectors' thresholds and the record, not for the machine
     }
   }

@@ -29,14 +29,13 @@ class PendingAdvice {
     silentLeft_ = std::max(0.0, silentLeft_ - dt);
     acceptedLeft_ = std::max(0.0, acceptedLeft_ - dt);
   }
-  // The newest wish that is not in force yet; replaces the one on the desk. It keeps its number while it stays the same
-  // to the eye.
+  // The newest wish that is not in force yet. What is on the desk stands still, number and all, while the wish stays
+  // alike: whoever reads it has time to, and accepts what he has read.
   void put(const Advice& advice) STILLCUT_RT {
-    const bool wasOpen = open_;
+    const bool stands = open_ && stillMeant(advice, advice_);
     open_ = silentLeft_ <= 0.0 || !alike(advice.factors, refused_);
+    if (stands) return;
     advice_ = advice;
-    if (wasOpen && within(advice.factors, numbered_, kSameToTheEye)) return;
-    numbered_ = advice.factors;
     ++number_;
   }
   void close() STILLCUT_RT { open_ = false; }
@@ -65,27 +64,25 @@ class PendingAdvice {
   // Or given up.
   void carriedOut() STILLCUT_RT { acceptedLeft_ = 0.0; }
   // Accepted for this cut, and still what the strategy asks for. Else nobody has accepted it.
-  bool stillMeant(const Advice& now) const STILLCUT_RT {
-    const double differs = std::abs((now.programmed - accepted_.programmed).value);
-    return now.request.kind == accepted_.request.kind && alike(now.factors, accepted_.factors) &&
-           differs <= kSameProgram * accepted_.programmed.value;
-  }
+  bool stillMeant(const Advice& now) const STILLCUT_RT { return stillMeant(now, accepted_); }
 
  private:
   static constexpr double kAcceptedFor = 5.0;  // [s]
   static constexpr double kSilentFor = 30.0;   // [s]
   static constexpr double kAlike = 0.02;       // 2 % of the programmed values
-  static constexpr double kSameToTheEye = 0.005;
   static constexpr double kSameProgram = 1e-3;
 
-  static bool within(const Factors& a, const Factors& b, double by) STILLCUT_RT {
-    return std::abs(a.speed - b.speed) <= by && std::abs(a.feed - b.feed) <= by;
+  static bool alike(const Factors& a, const Factors& b) STILLCUT_RT {
+    return std::abs(a.speed - b.speed) <= kAlike && std::abs(a.feed - b.feed) <= kAlike;
   }
-  static bool alike(const Factors& a, const Factors& b) STILLCUT_RT { return within(a, b, kAlike); }
+  static bool stillMeant(const Advice& now, const Advice& before) STILLCUT_RT {
+    const double differs = std::abs((now.programmed - before.programmed).value);
+    return now.request.kind == before.request.kind && alike(now.factors, before.factors) &&
+           differs <= kSameProgram * before.programmed.value;
+  }
 
   bool open_ = false;
   Advice advice_;
-  Factors numbered_;  // what the number was given to
   std::uint32_t number_ = 0;
   Advice accepted_;
   Factors refused_;

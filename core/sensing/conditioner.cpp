@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 2> kWhyNoise{"no air has been heard yet",
 constexpr std::array<AutoValueDecl, OwnNoise + kNoises> kOwnValues{{
     {"conditioner.high-pass", "High-pass edge", "Hz", kWhyHighPass},
     {"conditioner.speed", "Spindle speed", "rpm", kWhySpeed},
-    {"conditioner.speed-doubt", "Doubt of the speed", "rpm", kWhySpeedSd},
+    {"conditioner.speed-doubt", "Uncertainty of the speed", "rpm", kWhySpeedSd},
     {"conditioner.noise-1", "Noise in air, channel 1", "", kWhyNoise},
     {"conditioner.noise-2", "Noise in air, channel 2", "", kWhyNoise},
     {"conditioner.noise-3", "Noise in air, channel 3", "", kWhyNoise},

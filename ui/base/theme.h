@@ -46,8 +46,9 @@ double scaleForSize(int width, int height);
 namespace type_size {
 inline constexpr double kVerdict = 96;    // capitals of 15 mm and more on a 24-inch screen: read at three metres
 inline constexpr double kFrequency = 62;  // 15 mm at 1920 x 1080 on a 24-inch screen
-inline constexpr double kKind = 60;
-inline constexpr double kTarget = 46;
+inline constexpr double kTarget = 56;     // what to do is read before what kind of chatter it is
+inline constexpr double kKind = 40;
+inline constexpr double kFault = 46;  // of what has failed, for the operator at the machine
 inline constexpr double kValue = 22;
 inline constexpr double kBody = 17;
 inline constexpr double kButton = 19;

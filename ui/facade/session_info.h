@@ -52,8 +52,10 @@ struct RecorderView {
 };
 
 struct LinkStatus {
-  QString problem;  // a sentence, when there is one; link state and age come with the machine state
-  QString ended;    // a sentence: why no more samples will come; empty while they may
+  QString problem;          // a sentence, when there is one; link state and age come with the machine state
+  QString ended;            // a sentence: why no more samples will come; empty while they may
+  QString notice;           // a sentence from before this run: how the last one ended; empty: nothing
+  bool notYetBack = false;  // overrides were released, and the machine has not shown it yet
 };
 
 // What a plot tells of itself.

@@ -11,10 +11,12 @@
 namespace stillcut::ui {
 namespace {
 
-// Where speed and feed shall go, whoever says so. 0: not moved.
+// Where speed and feed shall go, whoever says so, and from where. 0: not moved, or not known.
 struct Move {
   Rpm speed;
   MetresPerSecond feed;
+  Rpm fromSpeed;
+  MetresPerSecond fromFeed;
 };
 
 // A command nearer to 100 % than the screen can tell has moved nothing.
@@ -33,18 +35,17 @@ bool idle(ReasonCode code) {
   return code == ReasonCode::NothingToDo || code == ReasonCode::NothingToDoAt;
 }
 
-QString deltaText(const Move& move, const MachineState& machine) {
-  if (!(machine.programmedSpeed.value > 0)) return {};
-  const double change = move.speed.value - machine.programmedSpeed.value;
-  return say("%1 rpm, %2").arg(withSign(change), overrideText(move.speed / machine.programmedSpeed));
+QString deltaText(const Move& move) {
+  if (!(move.fromSpeed.value > 0)) return {};
+  return say("%1 rpm, %2")
+      .arg(withSign((move.speed - move.fromSpeed).value), overrideText(move.speed / move.fromSpeed));
 }
 
 // Time goes as 1 / feed; the cutting speed is pi D n.
 QString costText(const Move& move, const Picture& picture) {
   QStringList parts;
-  const MachineState& machine = picture.snapshot->machine;
-  if (move.feed.value > 0 && machine.programmedFeed.value > 0) {
-    const double change = (machine.programmedFeed / move.feed - 1.0) * 100.0;
+  if (move.feed.value > 0 && move.fromFeed.value > 0) {
+    const double change = (move.fromFeed / move.feed - 1.0) * 100.0;
     if (std::abs(change) < 0.05) {
       parts << say("Costs no time");
     } else {
@@ -70,7 +71,7 @@ QString feedSentence(const Move& move, UnitSystem units) {
 void fillMove(AdviceView& view, const Move& move, const Picture& picture) {
   if (move.speed.value > 0) {
     view.target = join(number(move.speed.value), QStringLiteral("rpm"));
-    view.delta = deltaText(move, picture.snapshot->machine);
+    view.delta = deltaText(move);
     view.feed = feedSentence(move, picture.units);
   } else {
     view.target = feedText(move.feed, picture.units);
@@ -79,22 +80,71 @@ void fillMove(AdviceView& view, const Move& move, const Picture& picture) {
   view.cost = costText(move, picture);
 }
 
+// What the advice asks for, by its kind.
+void fillAdvice(AdviceView& view, const SpeedAdvice& advice, const Picture& picture) {
+  view.reason = reasonText(advice.reason);
+  switch (advice.kind) {
+    case SpeedAdvice::Kind::None:
+      break;
+    case SpeedAdvice::Kind::ToProgrammed:
+      view.target = say("Back to 100 %");
+      break;
+    case SpeedAdvice::Kind::LessDepth:
+      view.target = say("Less depth of cut");
+      if (advice.depth.value > 0) {
+        view.target = say("%1 deep at most").arg(depthText(advice.depth, picture.units));
+        view.delta = say("at %1").arg(join(number(advice.speed.value), QStringLiteral("rpm")));
+      }
+      break;
+    case SpeedAdvice::Kind::Speed:
+    case SpeedAdvice::Kind::OutOfReach:
+      fillMove(view, {advice.speed, advice.feed, advice.base, advice.baseFeed}, picture);
+      break;
+  }
+}
+
 AdviceView openAdvice(const Picture& picture) {
-  const OverrideRequest& request = picture.snapshot->request;
   AdviceView view;
   view.mode = AdviceView::Mode::Open;
   view.title = say("ADVICE");
   if (picture.replay) {  // it was answered when it was live, or never
-    view.mode = AdviceView::Mode::InForce;
+    view.mode = AdviceView::Mode::ForHand;
     view.title = say("ADVICE IN THE REPLAY");
   }
-  view.reason = reasonText(request.reason);
-  if (request.kind == RequestKind::Release) {
-    view.target = say("Back to 100 %");
-    return view;
+  fillAdvice(view, picture.snapshot->advice, picture);
+  return view;
+}
+
+// No machine to move, or nothing that an override could do: a hand, or the next program, may follow it.
+AdviceView forHand(const Picture& picture) {
+  const SpeedAdvice& advice = picture.snapshot->advice;
+  const Verdict& verdict = picture.verdict();
+  AdviceView view;
+  view.mode = AdviceView::Mode::ForHand;
+  view.title = advice.kind == SpeedAdvice::Kind::Speed && !picture.info->linkLabel.isEmpty()
+                   ? say("ADVICE")
+                   : say("ADVICE FOR YOUR HAND");
+  if (advice.kind == SpeedAdvice::Kind::OutOfReach) view.title = say("ADVICE FOR THE PROGRAM");
+  if (picture.replay) view.title = say("ADVICE IN THE REPLAY");
+  fillAdvice(view, advice, picture);
+  const double turns = verdict.spindle.value * 60.0;
+  constexpr double kThere = 0.01;
+  const bool there = verdict.valid && !verdict.alarming() && advice.kind == SpeedAdvice::Kind::Speed &&
+                     std::abs(turns - advice.speed.value) <= kThere * advice.speed.value;
+  if (there && !picture.replay) {
+    view.title = say("STABLE SPEED");
+    view.reason = say("The spindle turns as advised and the cut is stable: keep it");
   }
-  fillMove(view, {request.claimsSpeed ? request.speed : Rpm(), request.claimsFeed ? request.feed : MetresPerSecond()},
-           picture);
+  return view;
+}
+
+// Who gives no authority is told what it would be good for, in grey: nobody has asked.
+AdviceView offered(const Picture& picture) {
+  AdviceView view;
+  view.mode = AdviceView::Mode::Offered;
+  view.title = say("ADVICE, AUTHORITY IS OFF");
+  fillAdvice(view, picture.snapshot->advice, picture);
+  view.feed = say("Touch ADVISE to use it");
   return view;
 }
 
@@ -103,9 +153,12 @@ AdviceView commandInForce(const Picture& picture, const Reason& moveReason) {
   AdviceView view;
   view.mode = AdviceView::Mode::InForce;
   view.title = !s.machine.linkUp ? say("ASKED FOR, NOT CONFIRMED BY THE MACHINE")
-               : s.operatorHold  ? say("IN FORCE, HELD BY YOU")
-                                 : say("IN FORCE");
-  fillMove(view, {s.machine.programmedSpeed * s.command.speed.value, s.machine.programmedFeed * s.command.feed.value},
+               : s.operatorHold  ? say("ACTIVE, HELD BY YOU")
+                                 : say("ACTIVE");
+  const MachineState& m = s.machine;
+  fillMove(view,
+           {m.programmedSpeed * s.command.speed.value, m.programmedFeed * s.command.feed.value, m.programmedSpeed,
+            m.programmedFeed},
            picture);
   // What the gate keeps back comes first; otherwise the strategy has the word.
   const bool strategySays = moveReason.code != ReasonCode::None && repeatsNumbers(s.command.reason.code);
@@ -150,10 +203,13 @@ QString AdviceView::spoken() const {
 AdviceView makeAdviceView(const Picture& picture, const Reason& moveReason) {
   if (!picture.snapshot || picture.stale || picture.over()) return nothing(picture);
   const Snapshot& s = *picture.snapshot;
-  const bool isMove = s.request.kind == RequestKind::Set || s.request.kind == RequestKind::Release;
-  if (s.adviceOpen && isMove) return openAdvice(picture);
+  const SpeedAdvice::Kind kind = s.advice.kind;
+  if (s.adviceOpen && kind != SpeedAdvice::Kind::None) return openAdvice(picture);
   if (s.commanding && moves(s.command)) return commandInForce(picture, moveReason);
-  return nothing(picture);
+  if (kind == SpeedAdvice::Kind::LessDepth || kind == SpeedAdvice::Kind::OutOfReach) return forHand(picture);
+  if (kind != SpeedAdvice::Kind::Speed) return nothing(picture);
+  if (picture.replay || picture.info->linkLabel.isEmpty()) return forHand(picture);
+  return s.authority == Authority::Off ? offered(picture) : nothing(picture);
 }
 
 }  // namespace stillcut::ui

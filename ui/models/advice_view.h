@@ -9,9 +9,11 @@
 namespace stillcut::ui {
 
 struct AdviceView {
-  enum class Mode { Nothing, Open, InForce };
+  // Open: waits for an answer. InForce: ours stands. ForHand: nobody but a hand at the machine, or the program, can
+  // follow it. Offered: authority is Off, and a touch would let Stillcut advise.
+  enum class Mode { Nothing, Open, InForce, ForHand, Offered };
   Mode mode = Mode::Nothing;
-  QString title;   // "ADVICE", "IN FORCE", "WHAT TO DO"
+  QString title;   // "ADVICE", "ACTIVE", "WHAT TO DO"
   QString target;  // "8 565 rpm", or the sentence that there is nothing to do
   QString delta;   // "−235 rpm, 97 %"
   QString reason;  // why this value

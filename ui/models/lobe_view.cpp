@@ -134,7 +134,7 @@ WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Met
       open         ? say("STABLE, no limit found down to %1").arg(depthText(*limit, units))
       : island     ? say("STABLE, on an island above the limit: less depth would chatter")
       : out.stable ? say("STABLE, %1 deeper would be too deep").arg(join(number(margin), QStringLiteral("%")))
-                   : say("CHATTER, %1 too deep").arg(join(number(100.0 * (1.0 - *limit / depth)), QStringLiteral("%")));
+                   : say("CHATTER, %1 too deep").arg(join(number(100.0 * (depth / *limit - 1.0)), QStringLiteral("%")));
   QStringList parts{open ? say("limit deeper than %1").arg(depthText(*limit, units))
                          : say("limit %1").arg(depthText(*limit, units))};
   if (frame.feedPerTooth.value > 0.0) {
@@ -209,7 +209,7 @@ QVariant PocketTable::headerData(int section, Qt::Orientation orientation, int r
   if (role != Qt::DisplayRole || orientation != Qt::Horizontal || section < 0 || section >= kColumns) return {};
   switch (static_cast<Column>(section)) {
     case Speeds:
-      return tr("quiet, rpm");
+      return tr("stable, rpm");
     case Best:
       return tr("best, rpm");
     case Limit:

@@ -106,6 +106,7 @@ BarView ratioBar(const QString& label, double value, bool known) {
     return bar;
   }
   bar.value = number(value, 2);
+  bar.full = number(1.0);
   bar.fraction = clampedFraction(value, 1.0);
   return bar;
 }
@@ -130,7 +131,16 @@ BarView energyBar(const Picture& p, bool live) {
   BarView bar = ratioBar(say("Energy ratio"), verdict.severity.value, verdict.valid);
   mark(bar, p.info->limits.energyRatio, 1.0);
   bar.tone = toneOf(verdict);
+  bar.counts = live && (index < 0 || index == p.snapshot->inCharge);
   return bar;
+}
+
+// Nobody has told what a unit of the device is worth: the numbers are right among each other and nowhere else.
+bool uncalibrated(const Picture& p) {
+  const auto& channels = p.info->setup.channels;
+  if (channels.empty() || p.info->simulatedMachine) return false;
+  const ChannelInfo& first = channels.front();
+  return !(first.sensitivity > 0.0) && std::abs(first.scale - 1.0) < 1e-12;
 }
 
 BarView vibrationBar(const Picture& p, bool live, VibrationScale& scale) {
@@ -143,6 +153,8 @@ BarView vibrationBar(const Picture& p, bool live, VibrationScale& scale) {
   const double rms = live ? p.snapshot->vibrationRms : 0.0, limit = p.info->limits.vibration;
   const double full = scale.fullFor(rms, limit);
   bar.known = live && std::isfinite(rms);
+  bar.full = join(significant(full), unit);
+  if (uncalibrated(p)) bar.label = say("Vibration, uncalibrated");
   bar.value = bar.known ? join(significant(rms), unit) : join(number(std::nan("")), unit);
   bar.fraction = bar.known ? clampedFraction(rms, full) : 0.0;
   mark(bar, limit, full);
@@ -159,12 +171,33 @@ BarView coherenceBar(const Picture& p, bool live, int detector) {
   BarView bar = ratioBar(say("Coherence"), verdict.indicators[static_cast<std::size_t>(place)], verdict.valid);
   mark(bar, p.info->limits.coherence, 1.0);
   bar.tone = toneOf(verdict);
+  bar.counts = live && detector == p.snapshot->inCharge;
   return bar;
+}
+
+// Without a machine: what was set up, and what the vibration says.
+MachineView withoutMachine(const Picture& picture) {
+  MachineView view;
+  const QString none = number(std::nan(""));
+  const CutSetup& cut = picture.info->setup;
+  const auto shown = [&none](double value) { return value > 0.0 ? number(value) : none; };
+  const bool live = picture.snapshot && !picture.stale && picture.verdict().spindle.value > 0.0;
+  const double turns = live ? picture.verdict().spindle.value * 60.0 : 0.0;
+  view.speed = {say("Speed"), shown(cut.nominalSpeed.value), none, shown(turns), QStringLiteral("rpm"), Tone::Normal,
+                false};
+  view.feed = {
+      say("Feed"), shown(feedIn(cut.nominalFeed, picture.units)), none, none, feedUnit(picture.units), Tone::Normal,
+      false};
+  view.note = say("No machine link");
+  return view;
 }
 
 }  // namespace
 
 MachineView makeMachineView(const Picture& picture) {
+  if (picture.info->linkLabel.isEmpty() && !(picture.snapshot && picture.snapshot->machine.valid)) {
+    return withoutMachine(picture);
+  }
   MachineView view;
   const QString rpm = QStringLiteral("rpm"), feed = feedUnit(picture.units);
   const bool known = picture.snapshot && picture.snapshot->machine.valid;

@@ -34,6 +34,8 @@ struct BarView {
   bool known = false;
   std::vector<double> marks;  // limits, as fractions
   Tone tone = Tone::Normal;
+  bool counts = true;  // what the verdict goes by; else it is only shown
+  QString full{};      // what the whole length stands for: "1", "20 m/s²"
 
   bool operator==(const BarView&) const = default;
 };

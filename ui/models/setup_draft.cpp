@@ -94,7 +94,7 @@ QString SetupDraft::missing(Part part) const {
     case Part::Sensors:
       return profile_.source.id.empty() ? tr("no device is chosen") : QString();
     case Part::Tool:
-      if (profile_.cut.teeth == 0) return tr("the number of teeth is not known");
+      if (profile_.cut.teeth == 0) return tr("the number of flutes is not known");
       return profile_.cut.nominalSpeed.value > 0.0 ? QString() : tr("the programmed speed is not known");
   }
   return {};
@@ -237,7 +237,7 @@ QVariant ToolModel::data(const QModelIndex& index, int role) const {
   const ToolEntry& t = tools_[static_cast<std::size_t>(index.row())];
   const QString diameter =
       join(QString::number(lengthIn(Metres(t.diameter_mm * 1e-3), units_), 'g', 4), lengthUnit(units_));
-  QString facts = tr("D %1, %2 teeth").arg(diameter).arg(t.teeth);
+  QString facts = tr("D %1, %2 flutes").arg(diameter).arg(t.teeth);
   if (!t.chattered.empty()) facts += u'\n' + tr("chattered here before: %1").arg(t.chattered.size());
   return t.name + u'\n' + facts;
 }

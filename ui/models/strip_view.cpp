@@ -8,6 +8,7 @@
 #include "ui/base/say.h"
 #include "ui/models/active_text.h"
 #include "ui/models/advice_view.h"
+#include "ui/models/named_chatter.h"
 
 namespace stillcut::ui {
 namespace {
@@ -32,7 +33,8 @@ bool neverRead(const MachineState& machine) {
 }
 
 StripItem linkItem(const Picture& p) {
-  const QString label = p.info->linkLabel.isEmpty() ? say("Machine") : p.info->linkLabel;
+  if (p.info->linkLabel.isEmpty()) return {say("Machine"), say("none"), Tone::Faint};
+  const QString& label = p.info->linkLabel;
   if (!p.link.problem.isEmpty()) return {label, p.link.problem, Tone::Chatter};
   if (!p.snapshot || neverRead(p.snapshot->machine)) return {label, say("not read yet"), Tone::Faint};
   // Read after the block was recorded: as new as can be.
@@ -43,6 +45,7 @@ StripItem linkItem(const Picture& p) {
   const Seconds thread = p.snapshot->health.linkThreadAge;
   if (thread > kStandsStill)
     return {label, say("Stillcut itself stands still for %1").arg(duration(thread)), Tone::Chatter};
+  if (p.link.notYetBack) return {label, say("not yet back"), Tone::Chatter};
   if (!p.snapshot->machine.linkUp) return {label, say("no answer for %1").arg(duration(age)), Tone::Chatter};
   if (!p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
   const Tone tone = age.value > 1.0 ? Tone::Onset : Tone::Normal;
@@ -114,17 +117,30 @@ QString change(const QString& before, const QString& after, const QString& unit)
   return join(QStringLiteral("%1 \u2192 %2").arg(before, after), unit);
 }
 
+// What the gate says of a move that did not do what it was made for; empty: it did, or is not judged yet. Quiet that
+// came later is told by the card, not by the move.
+QString failureOf(const Intervention& i) {
+  if (i.quiet || (i.outcome != MoveOutcome::NotHelped && i.outcome != MoveOutcome::Louder)) return {};
+  const QString how = i.outcome == MoveOutcome::Louder && i.timesAsLoud > 0.0
+                          ? say("louder: %1 times as before the move").arg(number(i.timesAsLoud, 1))
+                          : say("the move did not help");
+  if (!i.endedAuto) return how;
+  return say("%1; ended in Advise: %2 moves in a row without help").arg(how, number(i.withoutHelp));
+}
+
 // Where the feed is known and nothing is marked, it has not become chatter.
 QString headlineOf(const Intervention& i, const Picture& picture) {
-  const QString at = join(number(i.frequency.value), QStringLiteral("Hz"));
+  const Hertz named = picture.snapshot ? namedChatter(*picture.snapshot, i.frequency) : i.frequency;
+  const QString at = join(number(named.value), QStringLiteral("Hz"));
   const bool onset = i.feedBefore.value > 0.0 && !(i.marked.value > 0.0);
   if (onset && i.finished && i.quiet)
-    return say("Onset %1, quiet after %2, nothing marked").arg(at, duration(i.timeToStable));
+    return say("Onset %1, stable after %2, nothing marked").arg(at, duration(i.timeToStable));
   const QString what = (onset ? say("Onset %1") : say("Chatter %1")).arg(at);
+  if (const QString failed = failureOf(i); !failed.isEmpty()) return say("%1, %2").arg(what, failed);
   const bool acts = picture.snapshot && picture.snapshot->authority == Authority::Auto;
   if (!i.finished) return (acts ? say("%1, acting") : say("%1, going on")).arg(what);
-  if (!i.quiet) return say("%1, not quieted").arg(what);
-  return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToStable), lengthText(i.marked, picture.units));
+  if (!i.quiet) return say("%1 when the tool left the cut").arg(what);
+  return say("%1, stable after %2, %3 marked").arg(what, duration(i.timeToStable), lengthText(i.marked, picture.units));
 }
 
 // What was cured is the chatter, told as its part of the vibration. The vibration itself may even have risen: at the
@@ -138,6 +154,15 @@ QString vibrationOf(const Intervention& i, const QString& unit) {
   return say("Vibration %1: no chatter, %2 is the teeth").arg(moved, teeth);
 }
 
+// Where nothing was moved there is one speed.
+QString speedOf(const Intervention& i) {
+  constexpr double kSame = 0.003;
+  if (!(i.speedBefore.value > 0.0)) return {};
+  const bool moved = std::abs(i.speedAfter / i.speedBefore - 1.0) > kSame;
+  if (moved) return change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
+  return join(number(i.speedBefore.value), QStringLiteral("rpm"));
+}
+
 CardView cardOf(const Intervention& i, const Picture& picture) {
   const SessionInfo& info = *picture.info;
   const std::string_view si =
@@ -147,7 +172,7 @@ CardView cardOf(const Intervention& i, const Picture& picture) {
   card.number = i.number;
   card.time = clockTime(info.wallMs(i.began));
   card.headline = headlineOf(i, picture);
-  card.speed = change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
+  card.speed = speedOf(i);
   const double longer = 1e2 * (i.cycleTime.value - 1.0);
   if (i.finished && longer >= 0.5) card.cost = say("time +%1").arg(join(number(longer), QStringLiteral("%")));
   card.ratio =
@@ -182,6 +207,7 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
 CommandView makeCommandView(const Picture& picture) {
   CommandView view;
   view.autoNeedsSecondTouch = !picture.info->machineWatchdog;
+  view.machine = !picture.info->linkLabel.isEmpty();
   view.verdict = makeVerdictView(picture, Trend::Unknown);
   view.verdict.detail = view.verdict.marked = QString();  // there is room for a glance
   if (!picture.snapshot) {
@@ -191,6 +217,7 @@ CommandView makeCommandView(const Picture& picture) {
   const Snapshot& s = *picture.snapshot;
   view.authority = s.authority;
   view.live = s.running;
+  view.notYetBack = picture.link.notYetBack || (s.authority == Authority::Off && s.commanding && s.machine.linkUp);
   view.autoAllowed = s.autoAllowed;
   view.held = s.operatorHold;
   if (const AdviceView advice = makeAdviceView(picture); advice.mode == AdviceView::Mode::Open) {
@@ -210,14 +237,19 @@ CommandView makeCommandView(const Picture& picture) {
   if (s.authority == Authority::Auto && picture.info->simulatedMachine) {
     view.since = say("%1, on this simulated machine").arg(view.since);
   }
+  if (!view.machine) view.since = say("no machine link: advice is for your hand");
   if (picture.stale) view.since = say("as last heard, %1 ago").arg(duration(picture.age));
   if (s.operatorHold) view.since = say("held by you, %1").arg(view.since);
   if (picture.over()) {  // with the samples every lease has ended: nobody but the machine's own knobs commands
     view.authority = Authority::Off;
     view.live = view.autoAllowed = view.held = false;
-    view.moved.clear();
+    if (!view.notYetBack) view.moved.clear();
     view.inCommand = say("You are in command");
     view.since = picture.link.ended;
+  }
+  if (view.notYetBack) {  // whoever is in command is not yet in command of what he set
+    view.inCommand = view.moved.isEmpty() ? say("NOT YET BACK") : say("NOT YET BACK: now %1").arg(view.moved);
+    view.since = say("released, and the machine has not shown it yet");
   }
   if (picture.replay) view.since = say("live, %1").arg(view.since);
   return view;
@@ -242,6 +274,7 @@ EventLine makeEventLine(const Picture& picture) {
     const ActiveTableView table = makeActiveTable(*picture.table);
     if (!table.fault.isEmpty()) return {table.fault, Tone::Chatter};
   }
+  if (!picture.link.notice.isEmpty()) return {picture.link.notice, Tone::Onset};
   if (!picture.snapshot) return {};
   const Snapshot& s = *picture.snapshot;
   const quint64 kept = std::min<quint64>(s.eventCount, kEventsShown);

@@ -26,7 +26,9 @@ struct CommandView {
   bool autoAllowed = false;
   bool autoNeedsSecondTouch = false;
   bool held = false;
-  QString moved;  // "97 %, 97 %", speed and feed, while the overrides are not 100 %
+  QString moved;            // "97 %, 97 %", speed and feed, while the overrides are not 100 %
+  bool notYetBack = false;  // what was released has not been read back
+  bool machine = false;     // there is one that could be moved
   // For the pages that do not show them large.
   VerdictView verdict;
   QString advice;  // "8 565 rpm" that waits for an answer; empty: none

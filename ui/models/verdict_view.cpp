@@ -5,6 +5,7 @@
 #include "ui/base/format.h"
 #include "ui/base/reason_text.h"
 #include "ui/base/say.h"
+#include "ui/models/named_chatter.h"
 
 namespace stillcut::ui {
 namespace {
@@ -104,7 +105,8 @@ void fillAlarm(VerdictView& view, const Picture& picture, Trend trend) {
   const bool chatter = verdict.state == CutState::Chatter;
   view.shape = chatter ? Shape::Octagon : Shape::Triangle;
   view.tone = chatter ? Tone::Chatter : Tone::Onset;
-  view.frequency = frequency(verdict.frequency, verdict.frequencySd);
+  view.frequency =
+      frequency(namedChatter(*picture.snapshot, verdict.frequency, verdict.frequencySd), verdict.frequencySd);
   view.kind = kindText(verdict.kind);
   view.detail = trendText(trend);
   view.marked = say("For %1").arg(duration(verdict.sinceOnset));
@@ -137,7 +139,7 @@ VerdictView verdictOf(const Picture& picture, Trend trend) {
   view.detail =
       stable && verdict.earlyWarning ? say("Early warning: vibration begins to grow") : phaseText(verdict.phase);
   if (view.detail.isEmpty()) view.detail = kindText(verdict.kind);
-  if (view.detail.isEmpty()) view.detail = stable ? say("The cut is quiet") : say("The tool does not cut");
+  if (view.detail.isEmpty()) view.detail = stable ? say("The cut is stable") : say("The tool does not cut");
   view.marked = totals(picture);
   return view;
 }

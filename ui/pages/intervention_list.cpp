@@ -21,7 +21,7 @@ InterventionList::InterventionList(QWidget* parent)
       theme_(makeTheme(ThemeKind::Light, 1.0)),
       wasTrue_(new TouchButton(tr("WAS CHATTER"), TouchButton::Look::Plain, this)),
       wasFalse_(new TouchButton(tr("FALSE ALARM"), TouchButton::Look::Plain, this)),
-      hear_(new TouchButton(tr("I HEAR IT"), TouchButton::Look::Plain, this)) {
+      hear_(new TouchButton(tr("MISSED CHATTER"), TouchButton::Look::Plain, this)) {
   setAccessibleName(tr("Last interventions"));
   wasTrue_->setObjectName(QStringLiteral("was-true"));
   wasFalse_->setObjectName(QStringLiteral("was-false"));
@@ -29,19 +29,15 @@ InterventionList::InterventionList(QWidget* parent)
   wasFalse_->setKey(Qt::Key_F10);
   hear_->setObjectName(QStringLiteral("hear"));
   hear_->setKey(Qt::Key_F8);
-  hear_->setToolTip(tr("Marks chatter that was not told"));
+  hear_->setToolTip(tr("Marks chatter now that no alarm told of; another touch takes the mark back"));
   for (TouchButton* button : {wasTrue_, wasFalse_, hear_}) {
     button->setCheckable(true);
     button->setEnabled(false);
     button->setBaseHeight(44);
   }
-  // Stays pressed until the alarm comes or another picture does: that is what the touch asked for.
-  connect(hear_, &TouchButton::clicked, this, [this] {
-    emit asked({OperatorAction::ReportChatter, Authority::Off});
-    hear_->setChecked(true);
-  });
-  connect(wasTrue_, &TouchButton::clicked, this, [this] { judge(true); });
-  connect(wasFalse_, &TouchButton::clicked, this, [this] { judge(false); });
+  connect(hear_, &TouchButton::clicked, this, &InterventionList::hear);
+  connect(wasTrue_, &TouchButton::clicked, this, [this] { judge(Judgement::True); });
+  connect(wasFalse_, &TouchButton::clicked, this, [this] { judge(Judgement::False); });
   for (int k = 0; k < kInterventionsShown; ++k) widgets_.push_back(new InterventionCard(this));
 }
 
@@ -53,7 +49,8 @@ void InterventionList::display(const std::vector<CardView>& cards, const EventLi
   if (newAlarm) judgement_ = Judgement::None;
   cards_ = cards;
   event_ = event;
-  if (alarming != alarming_ || live != live_) hear_->setChecked(false);
+  // Stays pressed until the alarm comes or another picture does: that is what the touch asked for.
+  if (alarming != alarming_ || live != live_) heard_ = false;
   live_ = live;
   alarming_ = alarming;
   answerable_ = answerable;
@@ -64,9 +61,21 @@ void InterventionList::display(const std::vector<CardView>& cards, const EventLi
   update();
 }
 
-void InterventionList::judge(bool wasChatter) {
-  judgement_ = wasChatter ? Judgement::True : Judgement::False;
-  emit asked({wasChatter ? OperatorAction::TrueAlarm : OperatorAction::FalseAlarm, Authority::Off});
+// The same touch again takes the mark back, the other one takes its place: an alarm is counted once.
+void InterventionList::judge(Judgement touched) {
+  if (judgement_ != Judgement::None) emit asked({OperatorAction::UndoMark, Authority::Off});
+  judgement_ = touched == judgement_ ? Judgement::None : touched;
+  if (judgement_ != Judgement::None) {
+    const bool wasChatter = judgement_ == Judgement::True;
+    emit asked({wasChatter ? OperatorAction::TrueAlarm : OperatorAction::FalseAlarm, Authority::Off});
+  }
+  showJudgement();
+}
+
+// Only the newest mark can be taken back: one of an alarm is over with a mark of what no alarm told of.
+void InterventionList::hear() {
+  emit asked({heard_ ? OperatorAction::UndoMark : OperatorAction::ReportChatter, Authority::Off});
+  heard_ = !heard_;
   showJudgement();
 }
 
@@ -76,6 +85,13 @@ void InterventionList::showJudgement() {
   wasFalse_->setEnabled(judgeable);
   wasTrue_->setChecked(judgement_ == Judgement::True);
   wasFalse_->setChecked(judgement_ == Judgement::False);
+  hear_->setChecked(heard_);
+  // Which alarm is meant, by its time; and how to take the mark back.
+  const QString meant = cards_.empty() || !judgeable ? QString() : QStringLiteral(", ") + cards_.front().time;
+  const auto hint = [&](bool marked, const QString& key) { return marked ? tr("%1 undoes it").arg(key) : key; };
+  wasTrue_->setHint(hint(judgement_ == Judgement::True, QStringLiteral("F9")) + meant);
+  wasFalse_->setHint(hint(judgement_ == Judgement::False, QStringLiteral("F10")) + meant);
+  hear_->setHint(hint(heard_, QStringLiteral("F8")));
 }
 
 int InterventionList::shownCards() const {
@@ -149,7 +165,7 @@ void InterventionList::paintFault(QPainter& p, const QRectF& box) {
   TextPainter text(p, theme_);
   const double pad = theme_.px(kPad);
   text.block(box.adjusted(pad, pad / 4, -pad, -pad / 4), event_.text,
-             {type_size::kTarget, true, theme_.front(event_.tone), Qt::AlignLeft, 0.4});
+             {type_size::kFault, true, theme_.front(event_.tone), Qt::AlignLeft, 0.4});
   clipped_ = text.clipped();
 }
 

@@ -38,13 +38,14 @@ class InterventionList : public QWidget, public Themed {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void judge(bool wasChatter);
+  enum class Judgement { None, True, False };
+
+  void judge(Judgement touched);
+  void hear();
   void showJudgement();
   void place();
   bool faulty() const { return event_.tone == Tone::Chatter; }
   void paintFault(QPainter& p, const QRectF& box);
-
-  enum class Judgement { None, True, False };
 
   Theme theme_;
   std::vector<CardView> cards_;
@@ -56,7 +57,8 @@ class InterventionList : public QWidget, public Themed {
   bool live_ = false;
   bool alarming_ = false, answerable_ = true;
   bool clipped_ = false;
-  Judgement judgement_ = Judgement::None;
+  Judgement judgement_ = Judgement::None;  // of the newest alarm; one mark of it stands at most
+  bool heard_ = false;
 };
 
 }  // namespace stillcut::ui

@@ -108,7 +108,7 @@ void LobesPage::layOut() {
   column->addWidget(detail_);
 
   pockets_->setModel(table_);
-  pockets_->setAccessibleName(tr("Quiet pockets at this depth"));
+  pockets_->setAccessibleName(tr("Stable speeds at this depth"));
   pockets_->setToolTip(tr("Choose a pocket to try its best speed"));
   pockets_->setSelectionBehavior(QAbstractItemView::SelectRows);
   pockets_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -246,7 +246,7 @@ void LobesPage::showWork(const Picture& picture) {
   const bool known = service_->frame().depthKnown;
   if (known && s != nullptr && s->machine.valid && !picture.stale && !picture.over()) {
     now = SpeedDepth{s->machine.actualSpeed, service_->axialDepthAt(s->time)};
-    if (s->adviceOpen && s->request.claimsSpeed) advice = s->request.speed;
+    if (s->advice.kind == SpeedAdvice::Kind::Speed) advice = s->advice.speed;
     if (s->commanding && !s->adviceOpen) advice = s->machine.programmedSpeed * s->command.speed.value;
   }
   chart_->setWork(now, known ? pointsMet(*picture.history, *service_) : std::vector<MetPoint>{});

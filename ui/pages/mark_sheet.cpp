@@ -31,7 +31,7 @@ MarkSheet::MarkSheet(SessionController* controller, QWidget* parent)
   const Button buttons[] = {
       {tr("CHATTER"), tr("Mark a true alarm"), "mark-true", kLabelTrueAlarm, Qt::ALT | Qt::Key_1},
       {tr("FALSE"), tr("Mark a false alarm"), "mark-false", kLabelFalseAlarm, Qt::ALT | Qt::Key_2},
-      {tr("I HEAR IT"), tr("I hear it now"), "mark-heard", kLabelOperatorChatter, Qt::ALT | Qt::Key_3},
+      {tr("MISSED CHATTER"), tr("I hear it now"), "mark-heard", kLabelOperatorChatter, Qt::ALT | Qt::Key_3},
       {tr("NOTE"), tr("Mark with the note"), "mark-note", kLabelNote, Qt::ALT | Qt::Key_4}};
   for (const Button& b : buttons) {
     TouchButton* button = toolButton(b.caption, b.spoken, b.name);

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "ui/base/format.h"
+#include "ui/models/named_chatter.h"
 #include "ui/pages/intervention_list.h"
 #include "ui/plots/spectrogram/spectrogram_widget.h"
 #include "ui/widgets/advice_panel.h"
@@ -107,8 +108,9 @@ void OperatePage::showSpectrogram(const Picture& picture) {
   const Verdict& verdict = picture.verdict();
   const Tone alarm = alarmTone(picture);
   const bool marked = alarm != Tone::Normal && verdict.frequency.value > 0;
-  spectrogram_->setChatter(marked ? verdict.frequency : Hertz(),
-                           marked ? join(number(verdict.frequency.value), QStringLiteral("Hz")) : QString(), alarm);
+  const Hertz shown = namedChatter(*picture.snapshot, verdict.frequency, verdict.frequencySd);
+  spectrogram_->setChatter(marked ? shown : Hertz(),
+                           marked ? join(number(shown.value), QStringLiteral("Hz")) : QString(), alarm);
 }
 
 void OperatePage::showBars(const Picture& picture) {

@@ -126,7 +126,7 @@ QWidget* SessionsPage::makeResults() {
   pdf_ = toolButton(tr("REPORT"), tr("Write a report"), "session-report");
   stop_ = toolButton(tr("STOP"), tr("Stop what is being worked on"), "session-stop");
   tuned_ = toolButton(tr("FROM TUNE"), tr("Take what was changed on the Tune page"), "session-tuned");
-  beside_ = toolButton(tr("BESIDE"), tr("Keep this recording beside the next one that is opened"), "session-beside");
+  beside_ = toolButton(tr("OVERLAY"), tr("Keep this recording beside the next one that is opened"), "session-beside");
   beside_->setCheckable(true);
   settings_ = new QLineEdit;
   settings_->setObjectName(QStringLiteral("session-settings"));

@@ -98,7 +98,7 @@ QWidget* TunePage::makeToolbar() {
   tools_->setContentsMargins(0, 0, 0, 0);
   undo_ = tool(tr("UNDO"), "tune-undo", bar);
   redo_ = tool(tr("REDO"), "tune-redo", bar);
-  start_ = tool(tr("AS BEGUN"), "tune-start", bar);
+  start_ = tool(tr("REVERT"), "tune-start", bar);
   reset_ = tool(tr("DEFAULTS"), "tune-reset", bar);
   save_ = tool(tr("SAVE"), "tune-save", bar);
   undo_->setKey(QKeySequence::Undo);

@@ -57,9 +57,9 @@ QString healthText(SensorHealth health) {
 }
 
 QString outcome(const Intervention& i) {
-  if (i.quiet) return say("quiet");
+  if (i.quiet) return say("stable");
   if (!i.finished) return say("cut ended");
-  return toNs(i.commanded) > 0 ? say("not quiet") : say("not answered");
+  return toNs(i.commanded) > 0 ? say("not stable") : say("not answered");
 }
 
 // Something of our own scale instead of the last digits of a sum.
@@ -95,7 +95,7 @@ Facts cutFacts(const SessionSummary& s, UnitSystem units) {
     if (setup.teeth > 0) {
       QString teeth = QString::number(setup.teeth);
       if (setup.toolDiameter.value > 0.0) teeth += say(", diameter ") + lengthText(setup.toolDiameter, units);
-      facts.emplace_back(say("Teeth"), teeth);
+      facts.emplace_back(say("Flutes"), teeth);
     }
     facts.emplace_back(say("Programmed"), join(rpm(setup.nominalSpeed), say("rpm")) + QStringLiteral(", ") +
                                               join(feedNumber(setup.nominalFeed, units), feedUnit(units)));
@@ -140,10 +140,10 @@ QString whatHappened(const SessionSummary& s, UnitSystem units) {
                       : say("Stillcut moved speed and feed %1 times; ").arg(moved);
   const std::size_t quiet = quietCount(s);
   if (quiet == moved)
-    return words + (moved == 1 ? say("the cut was quiet again.") : say("each time the cut was quiet again."));
-  if (quiet == 0) return words + say("it did not become quiet before the cut ended.");
-  return words + (quiet == 1 ? say("once the cut was quiet again before it ended.")
-                             : say("%1 times the cut was quiet again before it ended.").arg(quiet));
+    return words + (moved == 1 ? say("the cut was stable again.") : say("each time the cut was stable again."));
+  if (quiet == 0) return words + say("it did not become stable before the cut ended.");
+  return words + (quiet == 1 ? say("once the cut was stable again before it ended.")
+                             : say("%1 times the cut was stable again before it ended.").arg(quiet));
 }
 
 Tone whatHappenedTone(const SessionSummary& s) {
@@ -161,7 +161,7 @@ std::vector<TableColumn> interventionColumns(UnitSystem units) {
           {say("Feed [%1]").arg(feedUnit(units)), 1.9, true},
           {say("Energy ratio"), 1.6, true},
           {say("Vibration rms"), 1.8, true},
-          {say("Quiet after"), 1.35, true},
+          {say("Stable after"), 1.35, true},
           {say("Marked"), 1.0, true},
           {say("Outcome"), 1.4, false}};
 }

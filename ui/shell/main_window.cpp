@@ -85,6 +85,7 @@ void MainWindow::build() {
   connect(new QShortcut(Qt::Key_F1, centre), &QShortcut::activated, this, &MainWindow::toggleManual);
   connect(new QShortcut(Qt::Key_F12, centre), &QShortcut::activated, this, &MainWindow::nextTheme);
   connect(new QShortcut(Qt::Key_F11, centre), &QShortcut::activated, this, &MainWindow::toggleDisplayPanel);
+  connect(new QShortcut(Qt::Key_Escape, centre), &QShortcut::activated, this, &MainWindow::closeTop);
   connect(command_, &CommandBar::asked, this,
           [this](const OperatorInput& input) { session_.send(input, generation_); });
   for (QAbstractScrollArea* area : findChildren<QAbstractScrollArea*>()) {
@@ -185,6 +186,8 @@ void MainWindow::tick(qint64 nowMs) {
   picture.age = liveFreshness_.age();
   picture.stale = live != nullptr && liveFreshness_.stale();
   picture.paused = false;
+  // No replay covers the word on the cut that runs.
+  command_->setTellsVerdict(stack_->currentIndex() != 0 || replay);
   command_->display(makeCommandView(picture), nowMs);
   strip_->display(makeStrip(picture));
   nowMs_ = nowMs;
@@ -197,7 +200,17 @@ void MainWindow::showPage(int index) {
   pages_[static_cast<std::size_t>(index)]->setFocus();
   header_->setCurrentPage(index);
   stateChanged_ = true;
-  command_->setTellsVerdict(index != 0);
+}
+
+// The manual, the choice of theme, or a question that waits: the newest first. Never the machine.
+void MainWindow::closeTop() {
+  if (manual_->isVisible()) {
+    manual_->hide();
+  } else if (display_->isVisible()) {
+    display_->hide();
+  } else {
+    command_->withdrawAsked();
+  }
 }
 
 void MainWindow::showPage(const QString& id) {

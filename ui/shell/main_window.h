@@ -1,7 +1,7 @@
 // The window: head, page, command bar, status strip, and the display tick that pulls the newest snapshot. Pages come
-// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+6 show a page, F1 opens the manual at the part on
-// the page, F12 changes the theme, F11 opens the choice of theme, units and language. Another language makes everything
-// inside the window anew.
+// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+6 show a page, Esc closes what lies on top of it
+// and nothing else, F1 opens the manual at the part on the page, F12 changes the theme, F11 opens the choice of theme,
+// units and language. Another language makes everything inside the window anew.
 #pragma once
 
 #include <QElapsedTimer>
@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
   void addPages();
   void showPage(int index);
   void meetSession();
+  void closeTop();
   void nextTheme();
   void toggleManual();
   void toggleDisplayPanel();

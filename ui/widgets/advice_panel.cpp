@@ -69,9 +69,10 @@ void AdvicePanel::paintEvent(QPaintEvent*) {
   drawPanel(p, rect(), theme_, theme_.colors.panel);
   TextPainter text(p, theme_);
   const bool idle = view_.mode == AdviceView::Mode::Nothing;
+  const bool grey = idle || view_.mode == AdviceView::Mode::Offered;  // nobody asks for an answer
   const double pad = theme_.px(kPad), inner = width() - 2 * pad;
-  const QColor accent = idle ? theme_.colors.secondary : theme_.colors.advice;
-  if (!idle) {
+  const QColor accent = grey ? theme_.colors.secondary : theme_.colors.advice;
+  if (!grey) {
     p.setPen(Qt::NoPen);
     p.setBrush(theme_.colors.advice);
     p.drawRoundedRect(QRectF(0, 0, theme_.px(6), height()), theme_.px(3), theme_.px(3));
@@ -81,9 +82,10 @@ void AdvicePanel::paintEvent(QPaintEvent*) {
 
   // The target and, on the same line, how far it is from what is programmed.
   const double size = idle ? type_size::kValue * 1.3 : type_size::kTarget;
-  const double targetWidth = QFontMetricsF(theme_.font(size, true)).horizontalAdvance(view_.target);
+  const double targetWidth = std::min(inner, QFontMetricsF(theme_.font(size, true)).horizontalAdvance(view_.target));
   const double targetTop = y;
-  y = text.line(pad, y, inner, view_.target, {size, true, idle ? theme_.colors.secondary : theme_.colors.text});
+  y = text.line(pad, y, inner, view_.target,
+                {size, true, grey ? theme_.colors.secondary : theme_.colors.text, Qt::AlignLeft, 0.6});
   if (!view_.delta.isEmpty()) {
     const double left = pad + targetWidth + theme_.px(20);
     text.centred(QRectF(left, targetTop, width() - pad - left, y - targetTop), view_.delta,
@@ -92,7 +94,7 @@ void AdvicePanel::paintEvent(QPaintEvent*) {
   y += theme_.px(14);
 
   // From below: cost, feed; the reason takes what is left.
-  double bottom = accept_->y() - theme_.px(16);
+  double bottom = (accept_->isHidden() ? height() : accept_->y()) - theme_.px(16);
   const double lineHeight = theme_.px(27);
   for (const QString* lineText : {&view_.cost, &view_.feed}) {
     if (lineText->isEmpty()) continue;

@@ -11,6 +11,7 @@ namespace stillcut::ui {
 namespace {
 
 constexpr qint64 kAskForMs = 5000;
+const QString kBackKey = QStringLiteral("Backspace");
 // Touches closer than this to the one before are a bouncing finger or a key that is held down: a keyboard repeats after
 // 660 ms at most by its defaults, and then 25 times a second, not always marked as repeats.
 constexpr qint64 kDeliberateAfterMs = 1000;
@@ -46,7 +47,7 @@ CommandBar::CommandBar(QWidget* parent)
     showButtons();
   });
   back_->setObjectName(QStringLiteral("back"));
-  back_->setKey(Qt::Key_Escape);
+  back_->setKey(Qt::Key_Backspace);
   connect(back_, &TouchButton::clicked, this, [this] {
     withdrawQuestion();
     emit asked({OperatorAction::BackToProgrammed, Authority::Off});
@@ -76,18 +77,24 @@ void CommandBar::display(const CommandView& view, qint64 nowMs) {
 void CommandBar::showButtons() {
   for (std::size_t k = 0; k < authority_.size(); ++k)
     authority_[k]->setChecked(view_.authority == static_cast<Authority>(k));
-  authority_[2]->setEnabled(view_.autoAllowed || view_.authority == Authority::Auto);
-  authority_[2]->setToolTip(view_.autoAllowed ? QString() : tr("This profile does not grant Auto"));
+  authority_[1]->setEnabled(view_.machine);
+  hold_->setEnabled(view_.machine);
+  authority_[1]->setToolTip(view_.machine ? QString() : tr("No machine link: the advice is for your hand"));
+  authority_[2]->setEnabled(view_.machine && (view_.autoAllowed || view_.authority == Authority::Auto));
+  authority_[2]->setToolTip(!view_.machine      ? tr("No machine link: there is nothing to move")
+                            : view_.autoAllowed ? QString()
+                                                : tr("This profile does not grant Auto"));
   // Said before it is chosen: if this program dies there, the overrides stay where they are.
   authority_[2]->setHint(view_.autoNeedsSecondTouch ? tr("F4, no watchdog") : QStringLiteral("F4"));
   hold_->setChecked(view_.held);
   hold_->setText(view_.held ? tr("END HOLD") : tr("HOLD"));
   accept_->setVisible(tellsVerdict_ && !view_.advice.isEmpty());
   accept_->setHint(QStringLiteral("F5, %1").arg(view_.advice));
-  back_->setHint(view_.moved.isEmpty() ? QStringLiteral("Esc") : tr("Esc, now %1").arg(view_.moved));
+  back_->setHint(view_.moved.isEmpty() ? kBackKey : tr("%1, now %2").arg(kBackKey, view_.moved));
 }
 
 void CommandBar::setTellsVerdict(bool tells) {
+  if (tells == tellsVerdict_) return;
   tellsVerdict_ = tells;
   showButtons();
   update();
@@ -118,6 +125,12 @@ void CommandBar::touchAuto() {
   }
   withdrawQuestion();
   emit asked({OperatorAction::SetAuthority, Authority::Auto});
+}
+
+bool CommandBar::withdrawAsked() {
+  const bool asking = askedMs_ >= 0;
+  withdrawQuestion();
+  return asking;
 }
 
 void CommandBar::withdrawQuestion() {
@@ -166,12 +179,15 @@ void CommandBar::paintEvent(QPaintEvent*) {
   const bool asking = askedMs_ >= 0;
   const QString first = asking ? tr("This machine has no watchdog") : view_.inCommand;
   const QString second = asking ? tr("if Stillcut dies, its overrides stay") : view_.since;
-  const QColor color = asking ? theme_.colors.onsetText : theme_.colors.text;
+  const QColor color = asking             ? theme_.colors.onsetText
+                       : view_.notYetBack ? theme_.colors.chatterText
+                                          : theme_.colors.text;
   const double half = height() / 2.0, high = theme_.px(28);
   if (tellsVerdict_ && !asking) {
     paintVerdict(text, p, QRectF(left, half - high, room, high));
-    text.centred(QRectF(left, half, room, high), first,
-                 {type_size::kLabel, false, theme_.colors.secondary, Qt::AlignLeft, 0.7});
+    text.centred(
+        QRectF(left, half, room, high), first,
+        {type_size::kLabel, view_.notYetBack, view_.notYetBack ? color : theme_.colors.secondary, Qt::AlignLeft, 0.7});
     clipped_ = text.clipped();
     return;
   }

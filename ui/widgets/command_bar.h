@@ -23,6 +23,8 @@ class CommandBar : public QWidget, public Themed {
   // On pages that show neither verdict nor advice, the bar does: no alarm and no question goes unseen.
   void setTellsVerdict(bool tells);
   const CommandView& view() const { return view_; }
+  // Esc. True: it was asking for a second touch.
+  bool withdrawAsked();
   bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;

@@ -25,6 +25,8 @@ class LimitBar : public QWidget, public Themed {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void drawScale(QPainter& p, const QRectF& bed) const;
+
   Theme theme_;
   BarView view_;
   bool clipped_ = false;

@@ -15,6 +15,7 @@
 #include "app/session/replay/file_changes.h"
 #include "app/session/replay/opened_recording.h"
 #include "app/session/replay/session_lister.h"
+#include "app/session/session_view.h"
 #include "ui/facade/session_controller.h"
 #include "ui/facade/session_info.h"
 
@@ -32,6 +33,7 @@ class ReplayController final : public ui::SessionController {
   // Of the cut that the opened recording is of. Null: it does not say with which modes.
   LobeWorker* lobes() const { return lobes_.get(); }
   void send(const OperatorInput& input);
+  void noteTuned(const config::ParamDecl& decl, double value) { takeLimit(info_.limits, decl, value); }
   void showChannel(int channel) {
     if (run_) run_->showChannel(channel);
   }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,6 +89,7 @@ struct SessionWriter::Impl {
   std::uint64_t steps = 0;
   std::uint64_t frames = 0;
   std::uint64_t markerCount = 0;
+  std::optional<MarkerRow> mark;  // the newest that the operator's touch made, unless it was taken back
   Instant flushedUpTo{};
   bool closed = false;
 
@@ -126,6 +128,23 @@ struct SessionWriter::Impl {
   bool write() {
     return std::all_of(samples.begin(), samples.end(), [](SampleWriter& s) { return s.write(); }) &&
            each([](auto& table) { return table.write(); }) && H5Fflush(file.get(), H5F_SCOPE_LOCAL) >= 0;
+  }
+  Result<MarkerRow> addMarker(Marker marker) {
+    marker.number = markerCount++;
+    if (marker.made_ns == 0) marker.made_ns = nowUtc();
+    Result<MarkerRow> row = toRow(marker);
+    if (row) markers.add(*row);
+    return row;
+  }
+  void setMark(const Marker& marker) {
+    mark.reset();
+    if (const auto row = addMarker(marker)) mark = *row;
+  }
+  void undoMark() {
+    if (!mark) return;
+    mark->removed = 1;
+    markers.add(*mark);
+    mark.reset();
   }
   bool close() {
     closed = true;
@@ -216,10 +235,9 @@ Status SessionWriter::add(const StepInput& input, const StepOutput& output) {
   for (int i = 0; i < input.inputCount; ++i) {
     const OperatorInput& asked = input.inputs[static_cast<std::size_t>(i)];
     w.inputs.add(toRow(asked, step));
-    if (const char* label = labelOf(asked.action)) {
-      // Whatever became of it, the touch is among the inputs, and the recording goes on.
-      (void)addMarker({0, block.end(), block.end(), label, w.author, "", 0}).ok();
-    }
+    // Whatever became of it, the touch is among the inputs, and the recording goes on.
+    if (const char* label = labelOf(asked.action)) w.setMark({0, block.end(), block.end(), label, w.author, "", 0});
+    if (asked.action == OperatorAction::UndoMark) w.undoMark();
   }
   for (int i = 0; i < output.verdictCount; ++i) {
     w.verdicts.add(toRow(output.verdicts[static_cast<std::size_t>(i)], i, step));
@@ -247,12 +265,8 @@ Status SessionWriter::addTruth(std::string_view name, Instant time, double value
 
 Status SessionWriter::addMarker(Marker marker) {
   if (impl_->closed) return Error{path_, message("the session is closed")};
-  marker.number = impl_->markerCount++;
-  if (marker.made_ns == 0) marker.made_ns = nowUtc();
-  Result<MarkerRow> row = toRow(marker);
-  if (!row) return row.error();
-  impl_->markers.add(*row);
-  return Done{};
+  const Result<MarkerRow> row = impl_->addMarker(std::move(marker));
+  return row ? Status(Done{}) : Status(row.error());
 }
 
 bool SessionWriter::inPlace() const {

@@ -325,7 +325,7 @@ TEST(Lobes, WhatIfSaysStableOrChatterWithItsMargin) {
   EXPECT_TRUE(ask(7000, 2.0).stable);
   EXPECT_TRUE(ask(7000, 2.0).verdict.contains("50"));
   EXPECT_FALSE(ask(8250, 2.0).stable);
-  EXPECT_TRUE(ask(8250, 2.0).verdict.contains("50")) << ask(8250, 2.0).verdict.toStdString();
+  EXPECT_TRUE(ask(8250, 2.0).verdict.contains("100")) << ask(8250, 2.0).verdict.toStdString();
   EXPECT_FALSE(ask(20000, 2.0).known);
 }
 

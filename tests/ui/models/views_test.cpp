@@ -30,6 +30,17 @@ Scene chatterScene(CutState state = CutState::Chatter) {
   return s;
 }
 
+SpeedAdvice speedAdvice() {
+  return {SpeedAdvice::Kind::Speed,
+          Rpm(8565),
+          fromMmPerMin(1408.0 * 8565 / 8800),
+          Rpm(8800),
+          fromMmPerMin(1408.0),
+          Hertz(1713),
+          {},
+          {ReasonCode::CentreOfNextPocket, {8565, 3, 1713, 8800}}};
+}
+
 TEST(VerdictView, EachStateHasItsOwnWordShapeAndTone) {
   const VerdictView stable = makeVerdictView(stableScene().picture(), Trend::Unknown);
   EXPECT_EQ(stable.word, "STABLE");
@@ -82,12 +93,7 @@ TEST(AdviceView, OpenAdviceGivesTargetDeltaReasonAndCost) {
   Scene s = chatterScene();
   s.snapshot.authority = Authority::Advise;
   s.snapshot.adviceOpen = true;
-  OverrideRequest& r = s.snapshot.request;
-  r.kind = RequestKind::Set;
-  r.claimsSpeed = r.claimsFeed = true;
-  r.speed = Rpm(8565);
-  r.feed = fromMmPerMin(1408.0 * 8565 / 8800);
-  r.reason = {ReasonCode::CentreOfNextPocket, {8565, 3, 1713, 8800}};
+  s.snapshot.advice = speedAdvice();
   const AdviceView view = makeAdviceView(s.picture());
   EXPECT_TRUE(view.canAnswer());
   EXPECT_EQ(view.target, "8" + kThin + "565" + QChar(0xa0) + "rpm");
@@ -99,6 +105,81 @@ TEST(AdviceView, OpenAdviceGivesTargetDeltaReasonAndCost) {
   EXPECT_TRUE(view.cost.contains("323")) << view.cost.toStdString();
 }
 
+TEST(AdviceView, UnderOffTheSpeedIsOfferedInGrey) {
+  Scene s = chatterScene();
+  s.snapshot.advice = speedAdvice();
+  const AdviceView view = makeAdviceView(s.picture());
+  EXPECT_EQ(view.mode, AdviceView::Mode::Offered);
+  EXPECT_FALSE(view.canAnswer());
+  EXPECT_EQ(view.target, "8" + kThin + "565" + QChar(0xa0) + "rpm");
+  EXPECT_TRUE(view.feed.contains("ADVISE")) << view.feed.toStdString();
+  EXPECT_TRUE(view.reason.contains("chatter waves"));
+}
+
+TEST(AdviceView, WithoutAMachineTheSpeedIsForTheHandAndAutoIsNotOffered) {
+  Scene s = chatterScene();
+  s.info.linkLabel.clear();
+  s.snapshot.machine = {};
+  s.snapshot.autoAllowed = false;
+  s.snapshot.advice = speedAdvice();
+  const AdviceView view = makeAdviceView(s.picture());
+  EXPECT_EQ(view.mode, AdviceView::Mode::ForHand);
+  EXPECT_EQ(view.target, "8" + kThin + "565" + QChar(0xa0) + "rpm");
+  EXPECT_FALSE(view.canAnswer());
+  const CommandView bar = makeCommandView(s.picture());
+  EXPECT_FALSE(bar.machine);
+  EXPECT_FALSE(bar.autoAllowed);
+  EXPECT_EQ(makeStrip(s.picture())[0].value, "none");
+  EXPECT_FALSE(makeMachineView(s.picture()).warning) << "no machine is no fault of one";
+}
+
+TEST(AdviceView, WhereNoSpeedWillDoItNamesTheDepth) {
+  Scene s = chatterScene();
+  s.snapshot.advice = {SpeedAdvice::Kind::LessDepth,
+                       Rpm(8900),
+                       {},
+                       Rpm(8800),
+                       {},
+                       Hertz(1713),
+                       Metres(1.8e-3),
+                       {ReasonCode::NoStableSpeed, {3.0, 1.8, 8900, 1713}}};
+  const AdviceView view = makeAdviceView(s.picture());
+  EXPECT_TRUE(view.target.contains("1.8")) << view.target.toStdString();
+  EXPECT_TRUE(view.delta.contains("900")) << view.delta.toStdString();
+}
+
+// Verdict, advice and card: an estimate that wavers is no second frequency.
+TEST(AdviceView, OneFrequencyOnTheWholeScreen) {
+  Scene s = chatterScene();
+  s.snapshot.authority = Authority::Advise;
+  s.snapshot.adviceOpen = true;
+  s.snapshot.advice = speedAdvice();
+  s.snapshot.interventionCount = 1;
+  s.snapshot.interventions[0].frequency = Hertz(1709);
+  s.snapshot.verdicts[0].frequency = Hertz(1719);
+  const QString shown = "1" + kThin + "713";
+  EXPECT_TRUE(makeVerdictView(s.picture(), Trend::Unknown).frequency.contains(shown));
+  EXPECT_TRUE(makeAdviceView(s.picture()).reason.contains(shown));
+  EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(shown));
+  s.snapshot.verdicts[0].frequency = Hertz(1850);
+  EXPECT_TRUE(makeVerdictView(s.picture(), Trend::Unknown).frequency.contains("1" + kThin + "850"))
+      << "another line is another line";
+}
+
+TEST(CommandView, WhatWasReleasedAndNotReadBackIsSaid) {
+  Scene s = stableScene();
+  s.snapshot.machine.speedOverride = s.snapshot.machine.feedOverride = Ratio(0.83);
+  Picture p = s.picture();
+  EXPECT_FALSE(makeCommandView(p).notYetBack);
+  p.link.notYetBack = true;
+  const CommandView view = makeCommandView(p);
+  EXPECT_TRUE(view.inCommand.contains("NOT YET BACK")) << view.inCommand.toStdString();
+  EXPECT_TRUE(view.inCommand.contains("83"));
+  EXPECT_EQ(makeStrip(p)[0].value, "not yet back");
+  p.link.ended = "The device has gone";
+  EXPECT_TRUE(makeCommandView(p).inCommand.contains("NOT YET BACK")) << "also after the last sample";
+}
+
 TEST(AdviceView, ACommandThatMovesNothingIsNotInForce) {
   Scene s = stableScene();
   s.snapshot.commanding = true;
@@ -107,7 +188,7 @@ TEST(AdviceView, ACommandThatMovesNothingIsNotInForce) {
   s.snapshot.command.speed = Ratio(0.973);
   const AdviceView view = makeAdviceView(s.picture());
   EXPECT_EQ(view.mode, AdviceView::Mode::InForce);
-  EXPECT_EQ(view.title, "IN FORCE");
+  EXPECT_EQ(view.title, "ACTIVE");
   EXPECT_FALSE(view.canAnswer());
   s.snapshot.machine.linkUp = false;
   EXPECT_TRUE(makeAdviceView(s.picture()).title.contains("NOT CONFIRMED"));

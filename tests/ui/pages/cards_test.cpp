@@ -43,6 +43,35 @@ TEST(Cards, SayThatStillcutActsOnlyWhereItMay) {
   EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("going on")));
 }
 
+TEST(Cards, SayWhenAMoveDidNotHelpAndThatAutoHasEnded) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  Intervention& i = s.snapshot.interventions[0];
+  i.frequency = Hertz(1713.0);
+  i.outcome = MoveOutcome::NotHelped;
+  i.withoutHelp = 1;
+  EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("did not help")));
+  i.outcome = MoveOutcome::Louder;
+  i.timesAsLoud = 2.5;
+  EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("louder: 2.5")));
+  i.withoutHelp = 2;
+  i.endedAuto = true;
+  const QString ended = makeCards(s.picture())[0].headline;
+  EXPECT_TRUE(ended.contains(QStringLiteral("ended in Advise")) && ended.contains(u'2')) << ended.toStdString();
+  i.outcome = MoveOutcome::Helped;
+  EXPECT_FALSE(makeCards(s.picture())[0].headline.contains(QStringLiteral("help")));
+}
+
+TEST(Cards, WhereNothingWasMovedThereIsOneSpeed) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  Intervention& i = s.snapshot.interventions[0];
+  i.speedBefore = i.speedAfter = Rpm(8800.0);
+  EXPECT_FALSE(makeCards(s.picture())[0].speed.contains(QChar(0x2192)));
+  i.speedBefore = i.speedAfter = Rpm();
+  EXPECT_TRUE(makeCards(s.picture())[0].speed.isEmpty()) << "a speed that is not known is not 0";
+}
+
 TEST(Cards, TellWhatTheQuietSpeedCostsInTime) {
   Scene s = stableScene();
   s.snapshot.interventionCount = 1;

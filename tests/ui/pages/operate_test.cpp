@@ -1,7 +1,10 @@
 // The operator page driven as a person at the machine would: by touch and by key.
 #include "tests/ui/support/ui_fixture.h"
+#include "ui/base/format.h"
 #include "ui/pages/intervention_list.h"
 #include "ui/plots/spectrogram/spectrogram_widget.h"
+#include "ui/shell/display_panel.h"
+#include "ui/shell/manual_panel.h"
 #include "ui/shell/page_table.h"
 #include "ui/widgets/advice_panel.h"
 #include "ui/widgets/command_bar.h"
@@ -152,7 +155,7 @@ TEST_F(Operate, BackTo100WorksByTouchByKeyAndWhenStale) {
   play(1);
   press("back");
   EXPECT_EQ(lastSent().action, OperatorAction::BackToProgrammed);
-  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  QTest::keyClick(window_.get(), Qt::Key_Backspace);
   EXPECT_EQ(session_.sent().size(), 2U);
   tick(5000);
   press("back");
@@ -182,6 +185,48 @@ TEST_F(Operate, AlarmsAreJudgedWithOneTouch) {
   press("was-true");
   EXPECT_EQ(lastSent().action, OperatorAction::TrueAlarm);
   EXPECT_FALSE(find<TouchButton>("was-false")->isChecked());
+}
+
+// An alarm is counted once, and the touch names it.
+TEST_F(Operate, AMarkOfAnAlarmIsTakenBackByTheSameTouchAndReplacedByTheOther) {
+  open();
+  playToChatter();
+  press("was-false");
+  EXPECT_TRUE(find<TouchButton>("was-false")->hint().contains("undo"));
+  press("was-false");
+  EXPECT_EQ(lastSent().action, OperatorAction::UndoMark);
+  EXPECT_FALSE(find<TouchButton>("was-false")->isChecked());
+  press("was-false");
+  press("was-true");
+  int standing = 0;
+  for (const OperatorInput& input : session_.sent()) {
+    if (input.action == OperatorAction::FalseAlarm || input.action == OperatorAction::TrueAlarm) ++standing;
+    if (input.action == OperatorAction::UndoMark) --standing;
+  }
+  EXPECT_EQ(standing, 1);
+  const Snapshot& s = session_.snapshot();
+  const Instant began = s.interventions[(s.interventionCount - 1) % kInterventionsShown].began;
+  EXPECT_TRUE(find<TouchButton>("was-true")->hint().contains(clockTime(session_.info().wallMs(began))));
+}
+
+TEST_F(Operate, EscClosesWhatIsOnTopAndNeverMovesTheMachine) {
+  session_.mutableInfo().machineWatchdog = false;
+  open();
+  play(1);
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  QTest::keyClick(window_.get(), Qt::Key_F1);
+  ASSERT_TRUE(find<ManualPanel>()->isVisible());
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(find<ManualPanel>()->isVisible());
+  QTest::keyClick(window_.get(), Qt::Key_F11);
+  ASSERT_TRUE(find<DisplayPanel>()->isVisible());
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(find<DisplayPanel>()->isVisible());
+  press("auto");
+  ASSERT_TRUE(find<TouchButton>("auto")->asking());
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(find<TouchButton>("auto")->asking());
+  EXPECT_TRUE(session_.sent().empty());
 }
 
 TEST_F(Operate, AFaultStandsOverTheNewestCardInLargeLetters) {
@@ -264,6 +309,10 @@ TEST_F(Operate, ChatterThatNobodyToldOfIsMarkedInOneTouch) {
   press("hear");
   EXPECT_EQ(lastSent().action, OperatorAction::ReportChatter);
   EXPECT_TRUE(find<TouchButton>("hear")->isChecked());
+  press("hear");
+  EXPECT_EQ(lastSent().action, OperatorAction::UndoMark);
+  EXPECT_FALSE(find<TouchButton>("hear")->isChecked());
+  press("hear");
   playToChatter();
   EXPECT_FALSE(enabled("hear")) << "it has been told";
   EXPECT_FALSE(find<TouchButton>("hear")->isChecked());

@@ -49,6 +49,22 @@ TEST_F(ReplayShown, TheBarAndTheStripAreOfTheMachine) {
   EXPECT_TRUE(told.contains(QStringLiteral("ok"))) << told.join(u',').toStdString();
 }
 
+// The page tells of the recording; the machine chatters, and its word stands in the bar of this page too.
+TEST_F(ReplayShown, TheLiveVerdictStandsInTheBarOfEveryPage) {
+  Snapshot quiet = recorded_;
+  quiet.verdicts[0].state = CutState::Stable;
+  session_.showReplay(quiet);
+  play(7.0);
+  const QImage before = find<CommandBar>()->grab().toImage();
+  EXPECT_EQ(find<CommandBar>()->view().verdict.word, QStringLiteral("CHATTER"));
+  const QColor red = makeTheme(ThemeKind::Light, 1.0).onPanel(Tone::Chatter);
+  bool drawn = false;
+  for (int y = 0; y < before.height() && !drawn; ++y) {
+    for (int x = 0; x < before.width() && !drawn; ++x) drawn = before.pixelColor(x, y) == red;
+  }
+  EXPECT_TRUE(drawn) << "its shape is on the screen";
+}
+
 TEST_F(ReplayShown, NothingInItCanBeAnsweredOrJudged) {
   session_.showReplay(recorded_);
   tick(40);

@@ -166,7 +166,7 @@ TEST(ReportText, TellsWhatHappened) {
   EXPECT_EQ(
       whatHappened(s, kMetric).toStdString(),
       "Chatter began once, first at 1\u202f000\u00a0Hz; it lasted 600\u00a0ms in all and marked 12.3\u00a0mm of path. "
-      "Stillcut moved speed and feed once; the cut was quiet again.");
+      "Stillcut moved speed and feed once; the cut was stable again.");
   EXPECT_EQ(whatHappenedTone(s), Tone::Onset);
   s.interventions[0].quiet = false;
   EXPECT_EQ(whatHappenedTone(s), Tone::Chatter);

@@ -46,7 +46,7 @@ TEST_F(WindowTest, AuthorityHoldAndBackAreOnEveryPage) {
     press("advise");
     ASSERT_FALSE(session_.sent().empty());
     EXPECT_EQ(session_.sent().back().action, OperatorAction::SetAuthority) << entry.id;
-    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    QTest::keyClick(window_.get(), Qt::Key_Backspace);
     EXPECT_EQ(session_.sent().back().action, OperatorAction::BackToProgrammed) << entry.id;
   }
 }
@@ -215,9 +215,9 @@ TEST_F(WindowTest, F1OpensTheManualAtThePageInEveryLanguageAndLeavesTheBarAlone)
       play(0.1);
       press("advise");
       EXPECT_EQ(session_.sent().back().action, OperatorAction::SetAuthority);
-      QTest::keyClick(window_.get(), Qt::Key_Escape);
+      QTest::keyClick(window_.get(), Qt::Key_Backspace);
       EXPECT_EQ(session_.sent().back().action, OperatorAction::BackToProgrammed);
-      QTest::keyClick(window_.get(), Qt::Key_F1);
+      QTest::keyClick(window_.get(), Qt::Key_Escape);
       EXPECT_FALSE(manual->isVisible()) << entry.id;
     }
   }

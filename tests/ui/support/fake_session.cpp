@@ -92,6 +92,7 @@ void FakeSession::send(const OperatorInput& input, std::uint32_t seen) {
     case OperatorAction::FalseAlarm:
     case OperatorAction::ReportChatter:
     case OperatorAction::SetParameter:
+    case OperatorAction::UndoMark:
       break;
   }
 }
@@ -224,6 +225,18 @@ void FakeSession::fillAdvice() {
     s.request.speed = Rpm(kTarget);
     s.request.feed = fromMmPerMin(kFeed * kTarget / kProgrammed);
     s.request.reason = {ReasonCode::CentreOfNextPocket, {kTarget, 3, kChatter, kProgrammed}};
+  }
+  if (chatter) {
+    s.advice = {SpeedAdvice::Kind::Speed,
+                Rpm(kTarget),
+                fromMmPerMin(kFeed * kTarget / kProgrammed),
+                Rpm(kProgrammed),
+                fromMmPerMin(kFeed),
+                Hertz(kChatter),
+                {},
+                {ReasonCode::CentreOfNextPocket, {kTarget, 3, kChatter, kProgrammed}}};
+  } else {
+    s.advice = {};
   }
   s.commanding = moved_;
   s.command.kind = moved_ ? CommandKind::Set : CommandKind::Release;

@@ -33,10 +33,12 @@ class Story {
       out.command.speed = Ratio(0.97);
       out.command.time = in.block.end();
     }
-    log.follow(in, out, {vibration, feed}, Seconds(kBlock));
+    log.follow(in, out, {vibration, feed, judged}, Seconds(kBlock));
+    judged = {};
     return out;
   }
   InterventionLog log;
+  safety::GateOutput::Judged judged;           // of the block that follows
   bool valid = true;                           // of the verdicts that follow
   MetresPerSecond feed = fromMmPerMin(600.0);  // 10 mm/s
 
@@ -121,6 +123,32 @@ TEST(InterventionLog, KeepsTheNewestCardsOnly) {
   const std::uint64_t newest = s.log.count() - 1;
   EXPECT_EQ(s.log.card(newest).number, newest);
   EXPECT_DOUBLE_EQ(s.log.card(newest).speedBefore.value, 8000.0 + static_cast<double>(newest));
+}
+
+TEST(InterventionLog, KeepsWhatTheGateSaysOfTheMove) {
+  Story s;
+  s.block(CutState::Chatter, 0.6, 8000.0, 9.0);
+  s.judged = {MoveOutcome::NotHelped, 1.1, 1, false};
+  s.block(CutState::Chatter, 0.6, 8000.0, 9.0);
+  EXPECT_EQ(s.log.card(0).outcome, MoveOutcome::None) << "nothing was moved for this alarm";
+  s.block(CutState::Chatter, 0.6, 8000.0, 9.0, true);
+  s.judged = {MoveOutcome::Louder, 2.5, 2, true};
+  s.block(CutState::Chatter, 0.6, 7760.0, 22.0);
+  const Intervention& card = s.log.card(0);
+  EXPECT_EQ(card.outcome, MoveOutcome::Louder);
+  EXPECT_DOUBLE_EQ(card.timesAsLoud, 2.5);
+  EXPECT_EQ(card.withoutHelp, 2);
+  EXPECT_TRUE(card.endedAuto);
+}
+
+TEST(InterventionLog, AMoveProvesItselfAfterItsCardIsClosed) {
+  Story s;
+  for (int i = 0; i < 3; ++i) s.block(CutState::Chatter, 0.6, 8000.0, 9.0, true);
+  for (int i = 0; i < 40; ++i) s.block(CutState::Stable, 0.02, 7760.0, 1.1);
+  ASSERT_TRUE(s.log.card(0).finished);
+  s.judged = {MoveOutcome::Helped, 0.2, 0, false};
+  s.block(CutState::Stable, 0.02, 7760.0, 1.1);
+  EXPECT_EQ(s.log.card(0).outcome, MoveOutcome::Helped);
 }
 
 }  // namespace

@@ -34,7 +34,15 @@ class LinkRunnerTest : public ::testing::Test {
  protected:
   Instant at(double ms) const { return Instant(toDuration(Seconds(ms * 1e-3))); }
   void tickUntil(double ms) {
-    for (; now_ <= ms; now_ += 5.0) runner_->tick(at(now_));
+    for (; now_ <= ms; now_ += 5.0) {
+      if (link_.state.valid) link_.state.link.overrides = at(now_);
+      runner_->tick(at(now_));
+    }
+  }
+  void show(Ratio speed, Ratio feed) {
+    link_.state.valid = link_.state.linkUp = true;
+    link_.state.speedOverride = speed;
+    link_.state.feedOverride = feed;
   }
 
   rt::Mailbox<OverrideCommand> commands_;
@@ -221,6 +229,26 @@ TEST_F(LinkRunnerTest, AReleaseReachesTheMachine) {
   EXPECT_EQ(link_.released(), 1);
   runner_.reset();
   EXPECT_EQ(link_.released(), 1);
+}
+
+// A link that goes on showing ours: what was released is not back before the machine shows it.
+TEST_F(LinkRunnerTest, WhatWasReleasedIsNotBackUntilTheMachineShowsIt) {
+  tickUntil(10.0);
+  EXPECT_FALSE(runner_->tally().notYetBack) << "nothing was ever moved";
+  const OverrideCommand ours = maker_.next();
+  commands_.post(ours);
+  show(ours.speed(), ours.feed());
+  tickUntil(20.0);
+  EXPECT_FALSE(runner_->tally().notYetBack) << "ours is in force, and meant to be";
+  commands_.post(maker_.release());
+  tickUntil(200.0);
+  EXPECT_TRUE(runner_->tally().notYetBack);
+  show(Ratio(1.0), ours.feed());
+  tickUntil(300.0);
+  EXPECT_TRUE(runner_->tally().notYetBack) << "one of two is back";
+  show(Ratio(1.0), Ratio(1.0));
+  tickUntil(310.0);
+  EXPECT_FALSE(runner_->tally().notYetBack);
 }
 
 }  // namespace

@@ -63,6 +63,25 @@ TEST(Markers, ATouchDuringTheCutIsKeptWithItsTimeAndItsAuthor) {
   }
 }
 
+TEST(Markers, ATouchThatWasNotMeantIsTakenBackAndNothingElse) {
+  const TempFolder folder;
+  const std::string path = touched(folder, {OperatorAction::UndoMark, OperatorAction::TrueAlarm,
+                                            OperatorAction::FalseAlarm, OperatorAction::UndoMark});
+  const auto markers = readMarkers(path);
+  ASSERT_TRUE(markers.ok()) << markers.error().line();
+  ASSERT_EQ(markers->size(), 1U);
+  EXPECT_EQ(markers.value()[0].label, "true-alarm");
+}
+
+TEST(Markers, OneUndoTakesBackOneTouch) {
+  const TempFolder folder;
+  const auto markers = readMarkers(touched(folder, {OperatorAction::TrueAlarm, OperatorAction::ReportChatter,
+                                                    OperatorAction::UndoMark, OperatorAction::UndoMark}));
+  ASSERT_TRUE(markers.ok()) << markers.error().line();
+  ASSERT_EQ(markers->size(), 1U) << "the older one may be of an alarm long ago";
+  EXPECT_EQ(markers.value()[0].label, "true-alarm");
+}
+
 // 22 letters of three bytes each are more than a marker has room for.
 TEST(Markers, ALongNameOfTheOperatorIsCutBetweenTwoLettersAndTheRecordingGoesOn) {
   const TempFolder folder;

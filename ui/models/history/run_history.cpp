@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 4000;
 constexpr Seconds kPointEvery{0.5};
+constexpr double kAtSpeed = 0.01;
 constexpr double kSpeedStep = 0.002;  // a fifth of a percent is less than a spindle wanders by itself
 
 template <class Item>
@@ -42,8 +43,14 @@ void RunHistory::see(const Snapshot& snapshot) {
 void RunHistory::addPoint(const Snapshot& snapshot) {
   const Verdict& verdict = snapshot.verdicts[static_cast<std::size_t>(snapshot.inCharge)];
   const bool cutting = verdict.valid && verdict.state != CutState::AirCutting;
-  if (!cutting || !(snapshot.machine.actualSpeed.value > 0.0)) return;
-  const WorkingPoint now{snapshot.time, snapshot.machine.actualSpeed, verdict.state, true};
+  const MachineState& machine = snapshot.machine;
+  if (!cutting || !(machine.actualSpeed.value > 0.0)) return;
+  // Stable is said of a cut that was judged: a tool that enters or leaves, and a spindle that changes its speed, prove
+  // nothing. Chatter is chatter wherever it was heard.
+  const double off = std::abs(machine.actualSpeed / machine.targetSpeed() - 1.0);
+  const bool steady = verdict.phase == CutPhase::Steady && (!(machine.targetSpeed().value > 0.0) || off < kAtSpeed);
+  if (!verdict.alarming() && !steady) return;
+  const WorkingPoint now{snapshot.time, machine.actualSpeed, verdict.state, true};
   const bool same = !points_.empty() && points_.back().state == now.state &&
                     std::abs(points_.back().speed / now.speed - 1.0) < kSpeedStep &&
                     secondsBetween(points_.back().time, now.time) < kPointEvery;

@@ -41,10 +41,10 @@ void SetupTab::applyTheme(const Theme& theme) {
 SetupGuide::SetupGuide(SetupController& controller, SetupDraft& draft, QWidget* parent)
     : SetupTab(controller, draft, parent), note_(new TextLabel({type_size::kBody, false, false, true})) {
   auto* column = new QVBoxLayout(this);
-  column->addWidget(new TextLabel({type_size::kTarget, true}, tr("Two ways to begin")));
+  column->addWidget(new TextLabel({type_size::kFault, true}, tr("Two ways to begin")));
   column->addWidget(new TextLabel({type_size::kBody, false, true, true},
                                   tr("Look at a simulated cut first: it chatters as it gets deeper, and the program "
-                                     "finds the quiet speed. Nothing has to be connected.")));
+                                     "finds the stable speed. Nothing has to be connected.")));
   auto* show = new TouchButton(tr("SHOW ME A SIMULATED CUT"), TouchButton::Look::Advice);
   show->setObjectName(QStringLiteral("guide-simulated"));
   show->setBaseHeight(72);
@@ -89,7 +89,7 @@ void SetupGuide::refresh() {
     steps_[k]->setToolTip(missing);
     steps_[k]->setAccessibleDescription(missing.isEmpty() ? tr("ready") : missing);
   }
-  steps_[3]->setHint(controller_.profileInForce().isEmpty() ? tr("still open") : tr("in force"));
+  steps_[3]->setHint(controller_.profileInForce().isEmpty() ? tr("still open") : tr("active"));
 }
 
 }  // namespace stillcut::ui

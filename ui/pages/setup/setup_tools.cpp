@@ -34,7 +34,7 @@ SetupTools::SetupTools(SetupController& controller, SetupDraft& draft, QWidget* 
       list_(new QListView),
       name_(makeEdit(tr("Tool"), QStringLiteral("tool-name"))),
       holder_(makeEdit(tr("Holder and stick-out"), QStringLiteral("tool-holder"))),
-      teeth_(makeEdit(tr("Teeth"), QStringLiteral("tool-teeth"))),
+      teeth_(makeEdit(tr("Flutes"), QStringLiteral("tool-teeth"))),
       diameter_(makeEdit(tr("Diameter"), QStringLiteral("tool-diameter"))),
       pitch_(makeEdit(tr("Pitch angles, degrees"), QStringLiteral("tool-pitch"))),
       modes_(makeEdit(tr("File of its modes"), QStringLiteral("tool-modes"))),
