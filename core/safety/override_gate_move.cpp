@@ -158,7 +158,8 @@ void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
   }
   const TrimmedRequest wanted = trimmed(r, in.machine);
   if (authority_ == Authority::Advise && accepted == nullptr) {
-    const bool underWay = back ? state_ == GateState::Returning : setpoint_.near(wanted.factors);
+    const bool there = setpoint_.near(wanted.factors) || PendingAdvice::isSame(wanted.factors, setpoint_.target());
+    const bool underWay = back ? state_ == GateState::Returning : there;
     underWay ? pendingAdvice_.close() : pendingAdvice_.put(adviceOf(wanted.factors, r, in.machine));
     return;
   }

@@ -32,12 +32,14 @@ class PendingAdvice {
   // The newest wish that is not in force yet. What is on the desk stands still, number and all, while the wish stays
   // alike: whoever reads it has time to, and accepts what he has read.
   void put(const Advice& advice) STILLCUT_RT {
-    const bool stands = open_ && stillMeant(advice, advice_);
+    const bool stands = open_ && isSame(advice.factors, advice_.factors) && stillMeant(advice, advice_);
     open_ = silentLeft_ <= 0.0 || !alike(advice.factors, refused_);
     if (stands) return;
     advice_ = advice;
     ++number_;
   }
+  // To a hand and an eye: nearer than the spindle has to come to a speed for the strategy to find that it is there.
+  static bool isSame(const Factors& a, const Factors& b) STILLCUT_RT { return within(a, b, kSame); }
   void close() STILLCUT_RT { open_ = false; }
   bool open() const STILLCUT_RT { return open_; }
   const Advice& advice() const STILLCUT_RT { return advice_; }
@@ -70,11 +72,13 @@ class PendingAdvice {
   static constexpr double kAcceptedFor = 5.0;  // [s]
   static constexpr double kSilentFor = 30.0;   // [s]
   static constexpr double kAlike = 0.02;       // 2 % of the programmed values
+  static constexpr double kSame = 0.008;
   static constexpr double kSameProgram = 1e-3;
 
-  static bool alike(const Factors& a, const Factors& b) STILLCUT_RT {
-    return std::abs(a.speed - b.speed) <= kAlike && std::abs(a.feed - b.feed) <= kAlike;
+  static bool within(const Factors& a, const Factors& b, double by) STILLCUT_RT {
+    return std::abs(a.speed - b.speed) <= by && std::abs(a.feed - b.feed) <= by;
   }
+  static bool alike(const Factors& a, const Factors& b) STILLCUT_RT { return within(a, b, kAlike); }
   static bool stillMeant(const Advice& now, const Advice& before) STILLCUT_RT {
     const double differs = std::abs((now.programmed - before.programmed).value);
     return now.request.kind == before.request.kind && alike(now.factors, before.factors) &&

@@ -44,6 +44,36 @@ TEST(Chain, DetectorThatThrowsHandsOverToItsSecond) {
   EXPECT_TRUE(step.output.verdicts[1].valid);
 }
 
+// The gate gives nothing away, and the advice is there all the same.
+TEST(Chain, WithoutAMachineTheAdviceIsMadeOfWhatWasSetUp) {
+  ChainParts parts = test::scriptedChain([](const auto&) {
+    Verdict v = test::stableVerdict();
+    v.state = CutState::Chatter;
+    v.frequency = Hertz(1250.0);
+    v.severity = Ratio(0.6);
+    return v;
+  });
+  parts.strategy = std::make_unique<control::StablePocket>();
+  Chain chain(std::move(parts));
+  CutSetup setup = test::setup();
+  setup.teeth = 4;
+  setup.nominalSpeed = Rpm(8500.0);
+  chain.prepare(setup, {}, {});
+  SpeedAdvice advice;
+  for (int k = 0; k < 200; ++k) {
+    StepInput in = stepInput(k);
+    in.machine = {};
+    const Chain::Step& step = chain.process(in);
+    advice = step.advice;
+    EXPECT_FALSE(step.output.hasCommand);
+    for (int e = 0; e < step.output.eventCount; ++e) {
+      EXPECT_NE(step.output.events[static_cast<std::size_t>(e)].reason.code, ReasonCode::LinkLost) << "there is none";
+    }
+  }
+  ASSERT_EQ(advice.kind, SpeedAdvice::Kind::Speed);
+  EXPECT_NEAR(advice.speed.value, 60.0 * 1250.0 / (2 * 4), 100.0) << "60 f / (p Z), van Dijk 2010 eq. 30";
+}
+
 TEST(Chain, VerdictWithANumberThatIsNoneIsAFault) {
   Chain chain(twoDetectors([](const auto&) {
     Verdict v = test::stableVerdict();

@@ -22,6 +22,7 @@ Instant beganAt(const Snapshot& s) {
 
 // A machine that had never answered when the run began, and answers now.
 bool onlyBegan(const Event& event, const Snapshot& s) {
+  if (event.reason.code == ReasonCode::MachineNeverRead) return s.machine.linkUp;
   if (event.reason.code != ReasonCode::LinkLost || !s.machine.linkUp) return false;
   constexpr Seconds kRounding{1e-3};
   return secondsBetween(beganAt(s), event.time) <= Seconds(event.reason.n[0]) + kRounding;
@@ -283,6 +284,7 @@ EventLine makeEventLine(const Picture& picture) {
     if (secondsBetween(event.time, s.time) > kEventShownFor) break;
     if (event.level == EventLevel::Info || event.reason.code == ReasonCode::ChatterBegan) continue;
     if (onlyBegan(event, s)) continue;
+    if (event.reason.code == ReasonCode::MachineNeverRead && picture.info->linkLabel.isEmpty()) continue;
     return {clockTime(picture.info->wallMs(event.time)) + u' ' + reasonText(event.reason),
             event.level == EventLevel::Fault ? Tone::Chatter : Tone::Onset};
   }

@@ -166,6 +166,15 @@ TEST(AdviceView, OneFrequencyOnTheWholeScreen) {
       << "another line is another line";
 }
 
+TEST(EventLine, AMachineThatWasNotReadAtFirstIsNoWarningOnceItAnswers) {
+  Scene s = stableScene();
+  s.snapshot.eventCount = 1;
+  s.snapshot.events[0] = {s.snapshot.time, 0, EventLevel::Warning, {ReasonCode::MachineNeverRead, {}}};
+  EXPECT_TRUE(makeEventLine(s.picture()).text.isEmpty());
+  s.snapshot.machine.linkUp = false;
+  EXPECT_FALSE(makeEventLine(s.picture()).text.isEmpty());
+}
+
 TEST(CommandView, WhatWasReleasedAndNotReadBackIsSaid) {
   Scene s = stableScene();
   s.snapshot.machine.speedOverride = s.snapshot.machine.feedOverride = Ratio(0.83);

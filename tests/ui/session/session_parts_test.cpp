@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/session/last_run.h"
 #include "app/session/session.h"
 #include "app/session/tool_library.h"
 #include "core/detect/caliskan/energy_ratio.h"
@@ -36,6 +37,30 @@ TEST(ToolLibrary, ComesBackAsItWasAndNamesWhatIsWrong) {
   const auto wrong = loadTools(path);
   ASSERT_FALSE(wrong.ok());
   EXPECT_NE(wrong.error().line().find("teeth"), std::string::npos) << wrong.error().line();
+}
+
+TEST(LastRun, TheNextStartKnowsTheMachineAndHowItsRunEnded) {
+  const QTemporaryDir folder;
+  const QString mill = folder.filePath(QStringLiteral("mill.toml")), cut = folder.filePath(QStringLiteral("cut-12.h5"));
+  EXPECT_TRUE(LastRun(folder.path()).before().profile.isEmpty());
+  {
+    LastRun killed(folder.path());
+    killed.begin(mill);
+    killed.recordTo(cut);
+  }
+  const LastRun after(folder.path());
+  EXPECT_EQ(after.before().profile, mill);
+  EXPECT_TRUE(after.before().endedBadly);
+  EXPECT_TRUE(after.sentence().contains(QStringLiteral("cut-12.h5"))) << after.sentence().toStdString();
+  {
+    LastRun orderly(folder.path());
+    orderly.begin(mill);
+    orderly.end();
+    orderly.begin({});  // the demonstration
+  }
+  const LastRun then(folder.path());
+  EXPECT_EQ(then.before().profile, mill) << "no demonstration takes a machine's place";
+  EXPECT_TRUE(then.sentence().isEmpty());
 }
 
 TEST(Session, EveryAutomaticParameterSaysHowItIsChosenAndWhatRunsWhatItChose) {
@@ -81,7 +106,11 @@ TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull() != nullptr; }, 20000)) << "the new cut moves";
   const Status refused = (*session)->setup()->start(QStringLiteral("no-such-profile"));
   ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.error().line().find("stopped"), std::string::npos);
+  const auto now = (*session)->generation();
+  const std::uint64_t seen = (*session)->pull()->number;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull()->number > seen; }, 20000))
+      << "a profile is looked at before what runs is stopped";
+  EXPECT_EQ((*session)->generation(), now);
   EXPECT_TRUE((*session)->stop().ok());
 }
 

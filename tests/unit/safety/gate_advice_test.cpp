@@ -28,6 +28,30 @@ TEST(GateAdvice, AdviseAsksAndAcceptExecutesThatOneAdvice) {
   EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9);
 }
 
+// An estimate wavers, and the wish with it: what is read stands still, is what is accepted, and is not asked for anew.
+TEST(GateAdvice, StandsStillWhileItIsOpen) {
+  GateHarness h;
+  h.verdict.state = CutState::Chatter;
+  h.authority(Authority::Advise);
+  h.ask(9000, 900);
+  h.run(0.5);
+  const std::uint32_t number = h.last.adviceNumber;
+  for (const double speed : {9030.0, 8960.0, 9070.0}) {
+    h.ask(speed, 0.1 * speed);
+    h.run(0.5);
+    EXPECT_EQ(h.last.adviceNumber, number) << speed;
+    EXPECT_DOUBLE_EQ(h.last.advice.speed.value, 9000.0) << speed;
+  }
+  h.act(OperatorAction::Accept);
+  h.run(1.0);
+  EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9) << "what was read, not what was wished meanwhile";
+  EXPECT_FALSE(h.last.adviceOpen);
+  h.ask(9200, 920);
+  h.run(0.5);
+  EXPECT_TRUE(h.last.adviceOpen) << "another place is another advice";
+  EXPECT_NE(h.last.adviceNumber, number);
+}
+
 // Accepted while something still kept the gate from moving.
 class AcceptedAdvice : public ::testing::Test {
  protected:
