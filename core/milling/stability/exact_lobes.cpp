@@ -14,7 +14,7 @@ namespace stillcut::milling {
 namespace {
 
 constexpr double kHighestSpeed = 1e6;  // [rpm]
-constexpr int kMostLines = 200;        // of the harmonics of unlike teeth
+constexpr int kMostLines = 140;        // of the harmonics of unlike teeth
 constexpr double kMostWaves = 1000.0;  // vibration periods of the fastest mode between two teeth
 
 std::string number(double v) {

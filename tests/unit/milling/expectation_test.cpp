@@ -44,13 +44,6 @@ bool stableAt(const ExactLobes& lobes, Rpm speed, Metres depth) {
   return limits.ok() && limits->verified && limits->stableAt(depth);
 }
 
-// In a slot with four regular teeth the two in the cut stand at right angles: their directional matrices add up to a
-// constant, in every slice, so a helix changes nothing.
-bool helixIsProved(const CutModel& m) {
-  const bool fourInSlot = m.tool.teeth == 4 && m.tool.pitch.empty() && m.engagement.radialImmersion == 1.0;
-  return m.tool.helix == 0.0 || fourInSlot;
-}
-
 AdviceRequest requestOf(const Demand& d) {
   AdviceRequest r;
   r.depth = d.depth;
@@ -71,18 +64,16 @@ TEST_P(Expected, IsWhatTheExactLobesSay) {
   }
   const auto lobes = ExactLobes::make(d.model, s->name);
   ASSERT_TRUE(lobes.ok()) << lobes.error().line();
-  // Nothing to be done: stable at every programmed speed; with a helix left out, at twice the depth too.
-  const Metres depth(d.depth.value * (helixIsProved(d.model) ? 1.0 : 2.0));
+  // Nothing to be done: stable at every programmed speed.
   std::vector<Rpm> speeds{s->programme.speed};
   for (const ScheduleSegment& g : s->programme.speedOverTime.segments) speeds.emplace_back(g.toValue);
   const bool quiet =
-      std::all_of(speeds.begin(), speeds.end(), [&](Rpm speed) { return stableAt(*lobes, speed, depth); });
+      std::all_of(speeds.begin(), speeds.end(), [&](Rpm speed) { return stableAt(*lobes, speed, d.depth); });
   EXPECT_TRUE(quiet || s->expect != Expectation::Hold) << s->name;
   if (quiet) {
     EXPECT_NE(s->expect, Expectation::NoStableSpeed) << s->name;
     return;
   }
-  EXPECT_TRUE(helixIsProved(d.model));
   EXPECT_FALSE(stableAt(*lobes, s->programme.speed, d.depth)) << "control has nothing to do";
   if (d.lowest == d.highest) {
     EXPECT_EQ(s->expect, Expectation::NoStableSpeed);

@@ -12,7 +12,7 @@ using Complex = std::complex<double>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRealAngle = 1e-6;       // closer to 0 or pi than this a multiplier is real and alone
-constexpr double kMostWork = 6e10;        // operations spent on one speed: some half a minute
+constexpr double kMostWork = 2e10;        // operations spent on one speed: some ten seconds
 constexpr double kHopelessGrowth = 80.0;  // e-foldings no expansion survives
 constexpr double kRefined = 1e-5;         // a step of Newton below this is the last
 constexpr double kThinnest = 1e-3;        // band over the deepest depth at which halving ends

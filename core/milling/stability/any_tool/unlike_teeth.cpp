@@ -237,7 +237,9 @@ bool UnlikeTeeth::sample(double depth, std::span<const double> angles, Fineness 
 
 bool UnlikeTeeth::sampleDepths(std::span<const double> depths, std::span<const double> angles,
                                std::vector<std::vector<Complex>>& rows, WorkMeter& meter) const {
-  if (!pattern_.straight || damping_ > 0.0) return CircleFunction::sampleDepths(depths, angles, rows, meter);
+  constexpr std::size_t kWorthIt = 5;  // a reduction costs as much as so many determinants
+  if (!pattern_.straight || damping_ > 0.0 || depths.size() < kWorthIt)
+    return CircleFunction::sampleDepths(depths, angles, rows, meter);
   rows.assign(depths.size(), std::vector<Complex>(angles.size()));
   const Sums sums = sumsAt(1.0, 2 * lines(Fineness::Rough) + 2);
   Eigen::MatrixXcd work;
