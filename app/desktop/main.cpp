@@ -246,7 +246,10 @@ Opened open(const Options& options, const QString& lastProfile, bool live) {
     problem = again.error();
   }
   if (!options.profile.isEmpty()) return {openProfileSession(options.profile.toStdString(), recorded), false, {}};
-  return {openScenarioSession(options.scenario.toStdString(), live), false, problem};
+  const std::string scenario = options.scenario.toStdString();
+  const bool demonstration = live && options.nothingNamed;
+  return {demonstration ? openDemonstrationSession(scenario, live) : openScenarioSession(scenario, live), false,
+          problem};
 }
 
 // Longer than a screen: the order in which the program comes up and goes down

@@ -133,10 +133,13 @@ ui::RecorderView CutRun::recorder() const {
   return shown;
 }
 
-Result<std::unique_ptr<CutRun>> openScenarioRun(const std::string& path, bool live) {
+namespace {
+
+Result<std::unique_ptr<CutRun>> openSimulatedRun(const std::string& path, bool live, const config::ParamSet& wanted) {
   const auto scenario = milling::loadScenario(path);
   if (!scenario) return scenario.error();
   ScenarioOptions options;
+  options.params = wanted;
   // A work-holder is no strategy of the machine's: beside its loop the cut is watched.
   options.methods.strategy = scenario->strategy == "active" ? "monitor" : scenario->strategy;
   options.live = live;
@@ -153,6 +156,19 @@ Result<std::unique_ptr<CutRun>> openScenarioRun(const std::string& path, bool li
   if (active::SimulatedDuplex::check(*scenario)) run->setActive(makeSimulatedActiveLoopController(*scenario, params));
   if (scenario->grantsAuto) run->send({OperatorAction::GrantBySimulation, Authority::Auto});
   return run;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<CutRun>> openScenarioRun(const std::string& path, bool live) {
+  return openSimulatedRun(path, live, {});
+}
+
+Result<std::unique_ptr<CutRun>> openDemonstrationRun(const std::string& path, bool live) {
+  config::ParamSet params;
+  const Status later = params.set(pipeline::fullCatalog(), "stable-pocket.confirm", "1500", "demonstration");
+  if (!later) return later.error();
+  return openSimulatedRun(path, live, params);
 }
 
 Status checkProfileRun(const std::string& path) {

@@ -88,6 +88,9 @@ class CutRun {
 // On a scenario's simulated machine: live (paced to the clock, on threads) or for Rig::advance(). Auto is chosen at the
 // start where the scenario grants it.
 Result<std::unique_ptr<CutRun>> openScenarioRun(const std::string& path, bool live);
+// The same, for whoever wants to see what Stillcut does: chatter is left alone until it has been seen and heard,
+// and ends then.
+Result<std::unique_ptr<CutRun>> openDemonstrationRun(const std::string& path, bool live);
 
 // Live, on the device and the machine of a profile. Authority starts Off. It is recorded as the profile says, unless it
 // is recorded otherwise.

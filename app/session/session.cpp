@@ -74,7 +74,7 @@ void Session::endWith(const ui::MainWindow& window, std::function<void(const Err
 
 void Session::demonstrateWith(const std::string& scenario) {
   machine_.beginDemonstration = [this, scenario] {
-    return switchTo([&scenario] { return openScenarioRun(scenario, true); });
+    return switchTo([&scenario] { return openDemonstrationRun(scenario, true); });
   };
 }
 
@@ -180,6 +180,10 @@ Status Session::mayLeaveMachine(Message doing) const {
 
 Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bool live) {
   return sessionOn(openScenarioRun(path, live));
+}
+
+Result<std::unique_ptr<Session>> openDemonstrationSession(const std::string& path, bool live) {
+  return sessionOn(openDemonstrationRun(path, live));
 }
 
 Result<std::unique_ptr<Session>> openProfileSession(const std::string& path, Recorded recorded) {

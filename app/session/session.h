@@ -99,8 +99,9 @@ class Session final : public ui::SessionFacade {
   std::string asked_;  // where everything is recorded; empty: as each run says
 };
 
-// A session on what openScenarioRun() and openProfileRun() open.
+// A session on what openScenarioRun(), openDemonstrationRun() and openProfileRun() open.
 Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bool live);
+Result<std::unique_ptr<Session>> openDemonstrationSession(const std::string& path, bool live);
 Result<std::unique_ptr<Session>> openProfileSession(const std::string& path,
                                                     Recorded recorded = Recorded::AsProfileSays);
 

@@ -17,8 +17,8 @@ class ReleaseWatch {
     stands_ = true;
     released_ = {};
   }
-  // The overrides were told to go back, at `now`. `again`: also where nothing of this run was in force (what an earlier
-  // run may have left).
+  // The overrides were told to go back, at `now`; also where nothing of this run was in force, for an earlier run may
+  // have left something.
   void release(Instant now) STILLCUT_RT {
     if (released_ == Instant{}) released_ = now;
     stands_ = true;
@@ -28,7 +28,8 @@ class ReleaseWatch {
     if (!stands_ || released_ == Instant{} || !m.valid || !m.linkUp) return;
     const bool readable = m.link.overrides != Instant{};
     if (readable && (m.link.overrides <= released_ || m.time <= released_)) return;
-    if (!readable || isBack(m)) stands_ = false;
+    // Overrides that the program has switched off are not in force, whoever set them.
+    if (!readable || !m.overridesEnabled || isBack(m)) stands_ = false;
   }
   // Released, and not seen in the machine yet.
   bool notYetBack() const STILLCUT_RT { return stands_ && released_ != Instant{}; }

@@ -51,7 +51,11 @@ StripItem linkItem(const Picture& p) {
   if (!p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
   const Tone tone = age.value > 1.0 ? Tone::Onset : Tone::Normal;
   const Seconds effect = p.snapshot->machine.link.effect;
-  if (!(effect.value > 0.0)) return {label, duration(age), tone};
+  // An age that nobody would act on is no news.
+  constexpr Seconds kWorthTelling{0.3};
+  const bool fresh = age <= kWorthTelling;
+  if (!(effect.value > 0.0)) return {label, fresh ? say("answers") : duration(age), tone};
+  if (fresh) return {label, say("acts in %1").arg(duration(effect)), tone};
   return {label, say("%1 old, acts in %2").arg(duration(age), duration(effect)), tone};
 }
 
@@ -144,9 +148,15 @@ QString headlineOf(const Intervention& i, const Picture& picture) {
   return say("%1, stable after %2, %3 marked").arg(what, duration(i.timeToStable), lengthText(i.marked, picture.units));
 }
 
+// Something has been done or is over: until then there is a now, and no before and after.
+bool hasAfter(const Intervention& i) {
+  return i.finished || i.commanded != Instant{};
+}
+
 // What was cured is the chatter, told as its part of the vibration. The vibration itself may even have risen: at the
 // quiet speed the teeth may excite a mode, and the cut may have become deeper meanwhile.
 QString vibrationOf(const Intervention& i, const QString& unit) {
+  if (!hasAfter(i)) return say("Vibration %1").arg(join(significant(i.vibrationAfter), unit));
   const QString moved = change(significant(i.vibrationBefore), significant(i.vibrationAfter), unit);
   if (!i.finished || !i.quiet) return say("Vibration %1").arg(moved);
   constexpr double kLess = 0.9;  // what anybody hears
@@ -176,9 +186,10 @@ CardView cardOf(const Intervention& i, const Picture& picture) {
   card.speed = speedOf(i);
   const double longer = 1e2 * (i.cycleTime.value - 1.0);
   if (i.finished && longer >= 0.5) card.cost = say("time +%1").arg(join(number(longer), QStringLiteral("%")));
-  card.ratio =
-      say("chatter %1")
-          .arg(change(number(1e2 * i.severityBefore.value), number(1e2 * i.severityAfter.value), QStringLiteral("%")));
+  const QString after = number(1e2 * i.severityAfter.value), percentSign = QStringLiteral("%");
+  card.ratio = say("chatter %1")
+                   .arg(hasAfter(i) ? change(number(1e2 * i.severityBefore.value), after, percentSign)
+                                    : join(after, percentSign));
   card.vibration = vibrationOf(i, unit);
   card.tone = i.quiet ? Tone::Normal : i.finished ? Tone::Chatter : Tone::Advice;
   return card;

@@ -85,7 +85,7 @@ void CommandBar::showButtons() {
                             : view_.autoAllowed ? QString()
                                                 : tr("This profile does not grant Auto"));
   // Said before it is chosen: if this program dies there, the overrides stay where they are.
-  authority_[2]->setHint(view_.autoNeedsSecondTouch ? tr("F4, no watchdog") : QStringLiteral("F4"));
+  authority_[2]->setHint(view_.machine && view_.autoNeedsSecondTouch ? tr("F4, no watchdog") : QStringLiteral("F4"));
   hold_->setChecked(view_.held);
   hold_->setText(view_.held ? tr("END HOLD") : tr("HOLD"));
   accept_->setVisible(tellsVerdict_ && !view_.advice.isEmpty());

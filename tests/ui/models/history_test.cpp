@@ -8,6 +8,7 @@
 
 #include "tests/ui/support/fake_lobes.h"
 #include "tests/ui/support/fake_session.h"
+#include "tests/ui/support/pictures.h"
 #include "ui/base/format.h"
 #include "ui/models/history/analyse_view.h"
 #include "ui/models/history/run_history.h"
@@ -126,6 +127,29 @@ TEST(RunHistory, KnowsWhereSamplesAreMissing) {
     history.see(*session.pull());
   }
   for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(history.tracks()[0][k].afterGap, k == 6) << k;
+}
+
+// "Was stable" is said of a cut that was judged at its speed; chatter is chatter wherever it was.
+TEST(RunHistory, StablePointsAreOfSteadyCutsAtSpeedOnly) {
+  Scene s = stableScene();
+  s.snapshot.machine.programmedSpeed = s.snapshot.machine.actualSpeed = Rpm(8800.0);
+  RunHistory history;
+  const auto next = [&] {
+    s.snapshot.time += std::chrono::seconds(1);
+    ++s.snapshot.number;
+    history.see(s.snapshot);
+    return history.points().size();
+  };
+  s.verdict().phase = CutPhase::Entry;
+  EXPECT_EQ(next(), 0U);
+  s.verdict().phase = CutPhase::Steady;
+  s.snapshot.machine.actualSpeed = Rpm(8500.0);
+  EXPECT_EQ(next(), 0U) << "on its way to another speed";
+  s.snapshot.machine.actualSpeed = Rpm(8790.0);
+  EXPECT_EQ(next(), 1U);
+  s.verdict().phase = CutPhase::Entry;
+  s.verdict().state = CutState::Chatter;
+  EXPECT_EQ(next(), 2U);
 }
 
 TEST(RunHistory, AnotherChannelBeginsANewPicture) {

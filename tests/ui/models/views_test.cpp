@@ -232,6 +232,26 @@ TEST(AdviceView, StaleAdviceCannotBeAccepted) {
   EXPECT_FALSE(makeAdviceView(p).canAnswer());
 }
 
+TEST(Bars, ABarThatTheVerdictDoesNotGoByDoesNotCount) {
+  Scene s = stableScene();
+  VibrationScale scale;
+  s.info.detectors.push_back({"coherence", "Coherence", {"gamma_max"}});
+  s.snapshot.detectorCount = 2;
+  EXPECT_TRUE(makeBars(s.picture(), scale)[0].counts);
+  EXPECT_FALSE(makeBars(s.picture(), scale)[2].counts);
+  s.snapshot.inCharge = 1;
+  EXPECT_FALSE(makeBars(s.picture(), scale)[0].counts);
+  EXPECT_TRUE(makeBars(s.picture(), scale)[2].counts);
+}
+
+TEST(Bars, ASensorThatNobodyHasCalibratedSaysSo) {
+  Scene s = stableScene();
+  VibrationScale scale;
+  EXPECT_TRUE(makeBars(s.picture(), scale)[1].label.contains("uncalibrated"));
+  s.info.setup.channels[0].sensitivity = 100.0;
+  EXPECT_FALSE(makeBars(s.picture(), scale)[1].label.contains("uncalibrated"));
+}
+
 TEST(MachineView, OldValuesAreShownAsOld) {
   Scene s = stableScene();
   EXPECT_FALSE(makeMachineView(s.picture()).speed.old);

@@ -62,6 +62,18 @@ TEST(Cards, SayWhenAMoveDidNotHelpAndThatAutoHasEnded) {
   EXPECT_FALSE(makeCards(s.picture())[0].headline.contains(QStringLiteral("help")));
 }
 
+TEST(Cards, AnAlarmThatGoesOnHasANowAndNoBeforeAndAfter) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  Intervention& i = s.snapshot.interventions[0];
+  i.severityBefore = Ratio(0.99);
+  i.severityAfter = Ratio(0.95);
+  EXPECT_FALSE(makeCards(s.picture())[0].ratio.contains(QChar(0x2192)));
+  EXPECT_FALSE(makeCards(s.picture())[0].vibration.contains(QChar(0x2192)));
+  i.commanded = s.snapshot.time;
+  EXPECT_TRUE(makeCards(s.picture())[0].ratio.contains(QChar(0x2192)));
+}
+
 TEST(Cards, WhereNothingWasMovedThereIsOneSpeed) {
   Scene s = stableScene();
   s.snapshot.interventionCount = 1;

@@ -80,6 +80,26 @@ TEST(Session, EveryAutomaticParameterSaysHowItIsChosenAndWhatRunsWhatItChose) {
   EXPECT_GT(automatic, 10);
 }
 
+// Seen and heard first, then it ends, and the cut is quieter than it was.
+TEST(Session, TheDemonstrationShowsChatterAndItsEnd) {
+  auto session = openDemonstrationSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", false);
+  ASSERT_TRUE(session.ok()) << session.error().line();
+  const Snapshot* s = nullptr;
+  while ((*session)->advance()) {
+    s = (*session)->pull();
+    if (s != nullptr && sinceEpoch(s->time) > Seconds(10.0)) break;
+  }
+  ASSERT_NE(s, nullptr);
+  ASSERT_EQ(s->interventionCount, 1U);
+  const Intervention& card = s->interventions[0];
+  EXPECT_TRUE(card.finished && card.quiet);
+  EXPECT_EQ(card.outcome, MoveOutcome::Helped);
+  EXPECT_GT(s->chatterTime, Seconds(1.0)) << "long enough to be seen";
+  EXPECT_LT(card.timeToStable, Seconds(3.0));
+  EXPECT_LT(card.vibrationAfter, 0.6 * card.vibrationBefore) << "of what it was";
+  EXPECT_LT(s->vibrationRms, 0.6 * card.vibrationBefore);
+}
+
 TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
   const QTemporaryDir folder;
   const std::string demo = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml";
@@ -100,6 +120,7 @@ TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
   (*session)->tuning()->controller().set(detect::kErChatter, 0.4);
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return (*session)->pull() != nullptr && !(*session)->tuning()->controller().pending(); }, 20000));
+  EXPECT_DOUBLE_EQ((*session)->liveInfo().limits.energyRatio, 0.4) << "the limit that is drawn is the one that decides";
   EXPECT_EQ((*session)->sessions()->tunedSettings(), QStringList{QStringLiteral("energy-ratio.chatter=0.4")});
   ASSERT_TRUE((*session)->setup()->startDemonstration().ok());
   EXPECT_GT((*session)->generation(), before);
