@@ -61,9 +61,31 @@ constexpr auto kUnits = std::to_array<UnitRow>({
     {"s", K::Time, Q::Acceleration, 1.0},
     {"sec", K::Time, Q::Acceleration, 1.0},
     {"seconds", K::Time, Q::Acceleration, 1.0},
+    {"secs", K::Time, Q::Acceleration, 1.0},
+    {"second", K::Time, Q::Acceleration, 1.0},
     {"ms", K::Time, Q::Acceleration, 1e-3},
+    {"msec", K::Time, Q::Acceleration, 1e-3},
+    {"msecs", K::Time, Q::Acceleration, 1e-3},
+    {"millis", K::Time, Q::Acceleration, 1e-3},
+    {"millisecond", K::Time, Q::Acceleration, 1e-3},
+    {"milliseconds", K::Time, Q::Acceleration, 1e-3},
     {"us", K::Time, Q::Acceleration, 1e-6},
+    {"usec", K::Time, Q::Acceleration, 1e-6},
+    {"usecs", K::Time, Q::Acceleration, 1e-6},
+    {"micros", K::Time, Q::Acceleration, 1e-6},
+    {"microsecond", K::Time, Q::Acceleration, 1e-6},
+    {"microseconds", K::Time, Q::Acceleration, 1e-6},
+    {"ns", K::Time, Q::Acceleration, 1e-9},
+    {"nsec", K::Time, Q::Acceleration, 1e-9},
+    {"nsecs", K::Time, Q::Acceleration, 1e-9},
+    {"nanos", K::Time, Q::Acceleration, 1e-9},
+    {"nanosecond", K::Time, Q::Acceleration, 1e-9},
+    {"nanoseconds", K::Time, Q::Acceleration, 1e-9},
     {"min", K::Time, Q::Acceleration, 60.0},
+    {"minutes", K::Time, Q::Acceleration, 60.0},
+    {"h", K::Time, Q::Acceleration, 3600.0},
+    {"hours", K::Time, Q::Acceleration, 3600.0},
+    {"Sequence", K::Other, Q::Acceleration, 1.0},  // what Rigol's oscilloscopes call the number of a row
     {"Hz", K::Other, Q::Acceleration, 1.0},
     {"kHz", K::Other, Q::Acceleration, 1.0},
     {"deg", K::Other, Q::Acceleration, 1.0},
@@ -120,8 +142,11 @@ std::string_view trimmed(std::string_view text) {
 
 std::optional<UnitMeaning> unitFromText(std::string_view text) {
   const std::string unit = normalUnit(text);
+  const std::string small = lower(unit);
   for (const UnitRow& row : kUnits) {
-    if (row.text != unit) continue;
+    // A word is one however it begins; of short signs a capital makes another unit.
+    const bool word = row.kind == UnitKind::Time && row.text.size() >= 3 && row.text != "min";
+    if (row.text != (word ? small : unit)) continue;
     UnitMeaning meaning{row.kind, std::nullopt, row.toSi};
     if (row.kind == UnitKind::Sensor) meaning.quantity = row.quantity;
     return meaning;
@@ -140,14 +165,61 @@ NameAndUnit splitNameAndUnit(std::string_view text) {
   return {std::string(t), ""};
 }
 
+namespace {
+
+// A whole name, or a word for time with its unit or its kind behind it or before it: "time_ms", "elapsed seconds".
+bool isTimeName(const std::string& n) {
+  constexpr auto kNames = std::to_array<std::string_view>({"t",
+                                                           "time",
+                                                           "times",
+                                                           "timestamp",
+                                                           "time stamp",
+                                                           "timestamps",
+                                                           "x_value",
+                                                           "zeit",
+                                                           "zeitstempel",
+                                                           "tiempo",
+                                                           "tempo",
+                                                           "temps",
+                                                           "second",
+                                                           "seconds",
+                                                           "secs",
+                                                           "sec",
+                                                           "millis",
+                                                           "milliseconds",
+                                                           "micros",
+                                                           "microseconds",
+                                                           "nanoseconds",
+                                                           "elapsed",
+                                                           "elapsedtime",
+                                                           "datetime",
+                                                           "date/time",
+                                                           "date time",
+                                                           "datum/zeit",
+                                                           "zeit/datum",
+                                                           "\xE6\x97\xB6\xE9\x97\xB4",
+                                                           "t_s",
+                                                           "t_ms",
+                                                           "t_us",
+                                                           "t_ns"});
+  constexpr auto kBeginnings =
+      std::to_array<std::string_view>({"time ", "time_", "time-", "timestamp ", "timestamp_", "elapsed ", "elapsed_",
+                                       "zeit ", "zeit_", "relative time", "rel. time", "rel time"});
+  constexpr auto kEnds = std::to_array<std::string_view>({"_elapsed", " elapsed", "_time", " time", "_timestamp"});
+  const auto begins = [&n](std::string_view word) { return n.starts_with(word); };
+  const auto ends = [&n](std::string_view word) { return n.ends_with(word); };
+  if (std::find(kNames.begin(), kNames.end(), n) != kNames.end()) return true;
+  if (std::any_of(kBeginnings.begin(), kBeginnings.end(), begins)) return true;
+  return std::any_of(kEnds.begin(), kEnds.end(), ends);
+}
+
+}  // namespace
+
 NameMeaning meaningOfName(std::string_view text) {
   const std::string n = lower(trimmed(text));
   const auto is = [&n](auto... words) { return ((n == words) || ...); };
   const auto has = [&n](auto... parts) { return ((n.find(parts) != std::string::npos) || ...); };
-  if (is("t", "time", "times", "timestamp", "x_value", "zeit", "tiempo", "seconds", "sec") || n.starts_with("time ") ||
-      n.starts_with("time_") || is("t_s", "t_ms", "t_us")) {
-    return NameMeaning::Time;
-  }
+  if (isTimeName(n)) return NameMeaning::Time;
   if (is("n", "no", "#", "index", "idx", "row", "sample", "samples", "frame", "label", "class", "state", "comment",
          "ci", "ci value") ||
       has("indicator", "tacho", "taco", "trigger", "label", "keyphasor")) {

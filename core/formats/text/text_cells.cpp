@@ -59,25 +59,78 @@ bool isSkippedLine(std::string_view line) {
   return text.find_first_not_of("0123456789:.Z", kStamp.size()) == std::string_view::npos;
 }
 
+namespace {
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool isAllDigits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
+}
+
+std::optional<double> plainNumber(const char* first, const char* last) {
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(first, last, value);
+  if (end != last) return std::nullopt;
+  // Too small for a double becomes zero (or subnormal), too large infinity: strtod says which.
+  if (problem == std::errc::result_out_of_range) return std::strtod(std::string(first, last).c_str(), nullptr);
+  if (problem != std::errc{}) return std::nullopt;
+  return value;
+}
+
+// What from_chars does not take: "+ 1.5", a typographic minus, Fortran's "1.5D-03" and "1.5-103".
+std::optional<double> unusualNumber(std::string_view text) {
+  constexpr std::string_view kMinus = "\xE2\x88\x92";
+  std::string plain;
+  bool negative = false;
+  if (text.starts_with('+') || text.starts_with('-') || text.starts_with(kMinus)) {
+    negative = !text.starts_with('+');
+    text.remove_prefix(text.starts_with(kMinus) ? kMinus.size() : 1);
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  }
+  if (text.empty() || (!isDigit(text.front()) && text.front() != '.')) return std::nullopt;
+  const std::size_t mantissa = text.find_first_not_of("0123456789.");
+  plain = text.substr(0, mantissa);
+  if (mantissa != std::string_view::npos) {
+    std::string_view exponent = text.substr(mantissa);
+    const bool letter = exponent.starts_with('D') || exponent.starts_with('d') || exponent.starts_with('E') ||
+                        exponent.starts_with('e');
+    if (letter) exponent.remove_prefix(1);
+    const bool sign = exponent.starts_with('+') || exponent.starts_with('-');
+    const std::string_view digits = exponent.substr(sign ? 1 : 0);
+    if (!isAllDigits(digits) || (!letter && (!sign || digits.size() != 3))) return std::nullopt;
+    plain += "e" + std::string(exponent.starts_with('+') ? digits : exponent);
+  }
+  const std::optional<double> value = plainNumber(plain.data(), plain.data() + plain.size());
+  return value && negative ? std::optional<double>(-*value) : value;
+}
+
+}  // namespace
+
+bool isGrouped(std::string_view cell, char sign) {
+  if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
+  const std::size_t at = cell.find(sign);
+  if (at == std::string_view::npos || at == 0 || at > 3 || cell.front() == '0') return false;
+  if (!isAllDigits(cell.substr(0, at)) || (cell.size() - at) % 4 != 0) return false;
+  for (std::size_t i = at; i < cell.size(); i += 4) {
+    if (cell[i] != sign || !isAllDigits(cell.substr(i + 1, 3))) return false;
+  }
+  return true;
+}
+
 std::optional<double> parseNumber(std::string_view cell, bool decimalComma) {
   constexpr std::size_t kLongest = 64;
   if (cell.empty() || cell.size() >= kLongest) return std::nullopt;
   std::array<char, kLongest> text{};
   std::copy(cell.begin(), cell.end(), text.begin());
-  if (decimalComma) std::replace(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(cell.size()), ',', '.');
-  const char* first = text.data();
-  const char* last = first + cell.size();
-  if (*first == '+') {
-    ++first;
-    if (first == last || *first == '-') return std::nullopt;
+  if (decimalComma) {
+    if (isGrouped(cell, '.')) return std::nullopt;  // thousands, or a decimal point: nobody can tell
+    std::replace(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(cell.size()), ',', '.');
   }
-  double value = 0.0;
-  const auto [end, problem] = std::from_chars(first, last, value);
-  if (end != last) return std::nullopt;
-  // Too small for a double becomes zero (or subnormal), too large infinity: strtod says which.
-  if (problem == std::errc::result_out_of_range) return std::strtod(first, nullptr);
-  if (problem != std::errc{}) return std::nullopt;
-  return value;
+  const char* last = text.data() + cell.size();
+  if (const std::optional<double> value = plainNumber(text.data(), last)) return value;
+  return unusualNumber({text.data(), cell.size()});
 }
 
 }  // namespace stillcut::record

@@ -19,7 +19,11 @@ void splitCells(std::string_view line, char delimiter, std::vector<std::string_v
 // A line without numbers of the recording, wherever it stands: blank, or a time stamp ("2016-05-26 21:15:16.881") that
 // some loggers write between their buffers.
 bool isSkippedLine(std::string_view line);
-// A number as programs print it: sign, decimals, exponents of two or three digits, "nan" and "inf" too.
+// A number as programs print it: sign, decimals, exponents of two or three digits, Fortran's "1.5D-03" and "1.5-103",
+// "nan" and "inf" too. Where the decimal sign is a comma, "1.234" is none: it may stand for 1234.
 std::optional<double> parseNumber(std::string_view cell, bool decimalComma);
+
+// "1,234" or "12,345,678" with `sign` ',': thousands set apart, or decimals; the cell alone does not say which.
+bool isGrouped(std::string_view cell, char sign);
 
 }  // namespace stillcut::record

@@ -28,7 +28,9 @@ bool isSpeed(const TextColumn& column) {
 
 // Everything but the question of spindle speed.
 bool isSignal(const TextColumn& column, bool unitsGiven) {
-  if (meaningOfName(column.name) == NameMeaning::NoSignal) return false;
+  if (column.stamps || column.rowNumber) return false;
+  const NameMeaning meaning = meaningOfName(column.name);
+  if (meaning == NameMeaning::NoSignal || (meaning == NameMeaning::Time && column.unit.empty())) return false;
   if (unitsGiven && column.unit.empty()) return false;
   const std::optional<UnitMeaning> unit = unitFromText(column.unit);
   return !unit || unit->kind == UnitKind::Sensor || unit->kind == UnitKind::Voltage;
@@ -44,7 +46,7 @@ TextChannels choose(const TextLayout& layout, bool speed) {
       chosen.columns.push_back(static_cast<int>(i));
       chosen.channels.push_back(channelOf(column, static_cast<int>(i)));
     } else {
-      chosen.skipped.push_back(column.name);
+      chosen.skipped.push_back(column.name.empty() ? "column " + std::to_string(i) : column.name);
     }
   }
   return chosen;

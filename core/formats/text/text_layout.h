@@ -16,9 +16,12 @@
 namespace stillcut::record {
 
 struct TextColumn {
-  std::string name;    // empty: no header
-  std::string unit;    // empty: not said
-  bool empty = false;  // no cell of it holds anything
+  std::string name;        // empty: no header
+  std::string unit;        // empty: not said
+  bool empty = false;      // no cell of it holds anything
+  bool stamps = false;     // holds dates or times of day
+  bool clock = false;      // of them, times of day
+  bool rowNumber = false;  // without a name, counts the rows
 };
 
 struct TextLayout {
@@ -29,8 +32,11 @@ struct TextLayout {
   int maxCells = 0;  // and at most so many; those over the columns are comments
   std::vector<TextColumn> columns;
   int timeColumn = -1;                  // -1: none
+  bool timeStamps = false;              // the time column holds times of day, not numbers
   double secondsPerTime = 1.0;          // unit of the time column
-  std::optional<Hertz> rateFromHeader;  // where the header declares it
+  bool timeUnitAssumed = false;         // nothing says that its numbers are seconds
+  std::string unknownTimeUnit;          // as the file spells it; empty: none, or known
+  std::optional<Hertz> rateFromHeader;  // where the header declares it, and never in two ways
 };
 
 // `lines` are the first lines of the file (all of them when `complete`); a few hundred are enough.

@@ -1,8 +1,9 @@
 #include "core/formats/text/text_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <cstdio>
 #include <utility>
 
 #include "core/formats/utf_text.h"
@@ -13,6 +14,11 @@ namespace {
 constexpr std::size_t kSniffLines = 400;
 constexpr std::size_t kStepSample = 1000;  // rows from which the typical time step is taken
 constexpr int kMostColumns = 256;
+constexpr double kMostBad = 0.1;   // of the rows may hold no number: more, and this is no recording with a few gaps
+constexpr double kShortest = 0.5;  // of the rows a column must reach to, or it is left out
+
+constexpr double kLongestStep = 1.001;  // [s] that numbers without a unit are taken to be
+
 Message evenly() {
   return message("give --rate HZ to read the rows as evenly spaced");
 }
@@ -48,9 +54,11 @@ double snapped(double rate, double seconds) {
   return whole > 0.0 && std::abs(rate - whole) * seconds < kFrames ? whole : rate;
 }
 
-std::string quoted(std::string_view cell) {
-  constexpr std::size_t kShown = 40;
-  return "'" + std::string(cell.substr(0, kShown)) + "'";
+// As "%.6g" prints it.
+std::string shortNumber(double value) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
 }
 
 }  // namespace
@@ -72,154 +80,166 @@ Result<std::unique_ptr<RecordingReader>> TextReader::open(const std::string& pat
   return std::unique_ptr<RecordingReader>(std::move(reader));
 }
 
-Status TextReader::rewind() {
-  lines_ = std::make_unique<LineReader>(path_);
-  if (const Status s = lines_->open(); !s) return s.error();
-  std::string_view line;
-  for (std::int64_t i = 1; i < layout_.firstDataLine; ++i) {
-    const Result<bool> more = lines_->next(line);
-    if (!more) return more.error();
-  }
-  row_.values.assign(channels_.columns.size(), 0.0F);
-  rows_ = 0;
-  return Done{};
-}
-
-Result<bool> TextReader::nextRow() {
-  std::string_view line;
-  do {
-    const Result<bool> more = lines_->next(line);
-    if (!more) return more.error();
-    if (!*more) return false;
-  } while (isSkippedLine(line));
-  if (line.starts_with("***End_of_Header***") || line.starts_with("Channels\t")) {
-    return Error{lines_->where(), message("a second segment of the measurement begins"),
-                 message("save each segment as a file of its own")};
-  }
-  splitCells(line, layout_.cells.delimiter, cells_);
-  const double before = row_.time;
-  if (const Status s = parseRow(); !s) return s.error();
-  row_.lost = 0;
-  if (timed_ && step_ > 0.0 && rows_ > 0) {
-    const Result<std::int64_t> lost = missingBetween(before, row_.time);
-    if (!lost) return lost.error();
-    row_.lost = *lost;
-  }
-  ++rows_;
-  return true;
-}
-
-Result<double> TextReader::numberIn(int column) const {
-  const std::string_view cell = cells_[static_cast<std::size_t>(column)];
-  const std::optional<double> value = parseNumber(cell, layout_.cells.decimalComma);
-  const std::string& name = layout_.columns[static_cast<std::size_t>(column)].name;
-  const Message what =
-      message("column %1 holds %2", name.empty() ? std::to_string(column) : "'" + name + "'", quoted(cell));
-  if (!value || !std::isfinite(*value)) return Error{lines_->where(), what, message("a finite number was expected")};
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  if (std::abs(*value) > kLargest) return Error{lines_->where(), what, message("too large for a sample")};
-  return *value;
-}
-
-Status TextReader::parseRow() {
-  const auto count = static_cast<int>(cells_.size());
-  if (count < layout_.minCells || count > layout_.maxCells) {
-    return Error{
-        lines_->where(),
-        message("has %1 columns where %2 were expected", std::to_string(count), std::to_string(layout_.minCells)),
-        message("a damaged or truncated file")};
-  }
-  for (std::size_t i = 0; i < channels_.columns.size(); ++i) {
-    const Result<double> value = numberIn(channels_.columns[i]);
-    if (!value) return value.error();
-    row_.values[i] = static_cast<float>(*value);
-  }
-  if (timed_) {
-    const Result<double> time = numberIn(layout_.timeColumn);
-    if (!time) return time.error();
-    row_.time = *time * layout_.secondsPerTime;
-  }
-  return Done{};
-}
-
-Result<std::int64_t> TextReader::missingBetween(double before, double after) const {
-  if (!(after > before)) {
-    return Error{lines_->where(), after < before ? message("the time runs backwards") : message("the time repeats"),
-                 evenly()};
-  }
-  constexpr double kEarliest = 0.5;
-  constexpr double kGapFrom = 1.5;
-  constexpr double kLongest = 1e12;
-  const double steps = (after - before) / step_;
-  if (steps < kEarliest || steps > kLongest)
-    return Error{lines_->where(), message("the time steps are uneven"), evenly()};
-  return steps < kGapFrom ? 0 : std::llround(steps) - 1;
-}
-
-Result<double> TextReader::typicalStep() {
-  if (const Status s = rewind(); !s) return s.error();
-  std::vector<double> steps;
-  double before = 0.0;
-  for (std::size_t n = 0; n <= kStepSample; ++n) {
-    const Result<bool> more = nextRow();
-    if (!more) return more.error();
-    if (!*more) break;
-    if (n > 0) steps.push_back(row_.time - before);
-    before = row_.time;
-  }
-  if (steps.empty()) return Error{path_, message("one row of numbers is no recording")};
-  const double step = median(std::move(steps));
-  if (!(step > 0.0)) return Error{path_, message("the time column does not grow"), evenly()};
-  return step;
-}
-
 // First pass: every cell is checked, rows are counted, the rate is found.
 Status TextReader::scan(const ReadOptions& options) {
+  if (const Status s = checkTime(options); !s) return s.error();
+  if (const Status s = pass(); !s) return s.error();
+  if (settleColumns()) {
+    if (const Status s = pass(); !s) return s.error();
+  }
+  if (const Status s = checkBadRows(); !s) return s.error();
+  format_.frames = rows_->counts().rows;
+  format_.kind = layout_.kind;
+  format_.channels = channels_.channels;
+  format_.skipped = channels_.skipped;
+  if (const Status s = settleRate(options); !s) return s.error();
+  makeNotes();
+  return rows_->rewind();
+}
+
+Status TextReader::checkTime(const ReadOptions& options) {
   if (options.rate && !(options.rate->value > 0.0 && std::isfinite(options.rate->value))) {
     return Error{"--rate", message("must be above zero")};
   }
   timed_ = layout_.timeColumn >= 0 && !options.rate;
-  if (!timed_ && !options.rate && !layout_.rateFromHeader) {
+  if (timed_ && !layout_.unknownTimeUnit.empty()) {
+    return Error{path_, message("the unit '%1' of its time is not known", layout_.unknownTimeUnit),
+                 message("write s, ms, us or ns, or give --rate HZ")};
+  }
+  return Done{};
+}
+
+Status TextReader::findStep() {
+  if (const Status s = rows_->rewind(); !s) return s.error();
+  std::vector<double> steps;
+  double before = 0.0;
+  for (std::size_t n = 0; n <= kStepSample; ++n) {
+    const Result<bool> more = rows_->next();
+    if (!more) return more.error();
+    if (!*more) break;
+    if (n > 0) steps.push_back(rows_->row().time - before);
+    before = rows_->row().time;
+  }
+  if (steps.empty()) {
+    if (rows_->counts().firstBad) return *rows_->counts().firstBad;
+    return Error{path_, message("one row of numbers is no recording")};
+  }
+  step_ = median(std::move(steps));
+  if (!(step_ > 0.0)) return Error{path_, message("the time column does not grow"), evenly()};
+  return Done{};
+}
+
+Status TextReader::pass() {
+  rows_ = std::make_unique<TextRows>(path_, layout_, channels_.columns, timed_);
+  if (end_ > 0) rows_->setEnd(end_);
+  if (timed_) {
+    if (const Status s = findStep(); !s) return s.error();
+    rows_->setStep(step_);
+  }
+  if (const Status s = rows_->rewind(); !s) return s.error();
+  evenTime_ = 0.0;
+  evenSteps_ = 0;
+  while (true) {
+    const double before = rows_->row().time;
+    const Result<bool> more = rows_->next();
+    if (!more) return more.error();
+    if (!*more) return Done{};
+    if (rows_->counts().rows > 1 && rows_->row().lost == 0) {
+      evenTime_ += rows_->row().time - before;
+      ++evenSteps_;
+    }
+  }
+}
+
+bool TextReader::settleColumns() {
+  const TextRowCounts& counts = rows_->counts();
+  const auto all = static_cast<double>(counts.all());
+  std::vector<bool> out(channels_.columns.size(), false);
+  std::int64_t end = counts.all();
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    const std::int64_t filled = counts.filledTo[c];
+    const std::int64_t within = counts.badCells[c] - (counts.all() - filled);  // without those behind its end
+    out[c] = static_cast<double>(filled) < kShortest * all ||
+             static_cast<double>(within) > kMostBad * static_cast<double>(filled);
+    if (!out[c]) end = std::min(end, filled);
+  }
+  const auto gone = std::count(out.begin(), out.end(), true);
+  if (gone == static_cast<std::ptrdiff_t>(out.size())) return false;  // checkBadRows() says why
+  if (gone == 0 && end == counts.all()) return false;
+  if (end < counts.all()) {
+    end_ = end;
+    format_.notes.push_back(
+        message("some columns end after %1 of %2 rows, where the recording ends; --channel N reads one alone", end,
+                counts.all()));
+  }
+  leaveOut(out);
+  return true;
+}
+
+void TextReader::leaveOut(const std::vector<bool>& out) {
+  TextChannels kept;
+  kept.skipped = channels_.skipped;
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    if (out[c]) {
+      kept.skipped.push_back(channels_.channels[c].info.name);
+      format_.notes.push_back(
+          message("column '%1' is left out: most of its cells hold no number", channels_.channels[c].info.name));
+    } else {
+      kept.columns.push_back(channels_.columns[c]);
+      kept.channels.push_back(channels_.channels[c]);
+    }
+  }
+  channels_ = std::move(kept);
+}
+
+Status TextReader::checkBadRows() {
+  const TextRowCounts& counts = rows_->counts();
+  if (counts.bad > 0 && static_cast<double>(counts.bad) > kMostBad * static_cast<double>(counts.all()))
+    return *counts.firstBad;
+  if (counts.rows < 2) return Error{path_, message("one row of numbers is no recording")};
+  return Done{};
+}
+
+Status TextReader::settleRate(const ReadOptions& options) {
+  std::optional<Hertz> stated = layout_.rateFromHeader;
+  const std::vector<double>& footer = rows_->counts().footerRates;
+  if (!stated && !footer.empty() &&
+      std::count(footer.begin(), footer.end(), footer.front()) == static_cast<std::ptrdiff_t>(footer.size())) {
+    stated = Hertz(footer.front());
+  }
+  if (options.rate) {
+    format_.rate = *options.rate;
+  } else if (timed_ && evenSteps_ > 0) {
+    format_.rate = Hertz(snapped(static_cast<double>(evenSteps_) / evenTime_, evenTime_));
+  } else if (timed_) {
+    return Error{path_, message("the time steps are uneven"), evenly()};
+  } else if (stated) {
+    format_.rate = *stated;
+  } else {
     return Error{path_, message("the sampling rate is not known: there is no time column"),
                  message("give it with --rate HZ")};
   }
-  if (timed_) {
-    const Result<double> step = typicalStep();
-    if (!step) return step.error();
-    step_ = *step;
+  if (timed_ && layout_.timeUnitAssumed && step_ > kLongestStep) {
+    return Error{path_, message("its time has no unit and steps of %1", shortNumber(step_)),
+                 message("write s, ms, us or ns behind its name, or give --rate HZ")};
   }
-  if (const Status s = rewind(); !s) return s.error();
-  double evenTime = 0.0;  // over all steps without a gap
-  std::int64_t evenSteps = 0;
-  while (true) {
-    const double before = row_.time;
-    const Result<bool> more = nextRow();
-    if (!more) return more.error();
-    if (!*more) break;
-    if (rows_ > 1 && row_.lost == 0) {
-      evenTime += row_.time - before;
-      ++evenSteps;
-    }
-  }
-  format_.frames = rows_;
-  format_.kind = layout_.kind;
-  format_.channels = channels_.channels;
-  format_.skipped = channels_.skipped;
-  if (const Status s = settleRate(options, evenTime, evenSteps); !s) return s.error();
-  return rewind();
-}
-
-Status TextReader::settleRate(const ReadOptions& options, double evenTime, std::int64_t evenSteps) {
-  if (options.rate) {
-    format_.rate = *options.rate;
-  } else if (!timed_) {
-    format_.rate = *layout_.rateFromHeader;
-  } else if (evenSteps > 0) {
-    format_.rate = Hertz(snapped(static_cast<double>(evenSteps) / evenTime, evenTime));
-  } else {
-    return Error{path_, message("the time steps are uneven"), evenly()};
+  constexpr double kApart = 0.01;
+  if (timed_ && stated && std::abs(stated->value - format_.rate.value) > kApart * format_.rate.value) {
+    format_.notes.push_back(message("its header says %1 Hz, its times %2 Hz, which are taken",
+                                    shortNumber(stated->value), shortNumber(format_.rate.value)));
   }
   return Done{};
+}
+
+void TextReader::makeNotes() {
+  const TextRowCounts& counts = rows_->counts();
+  if (counts.bad > 0) {
+    format_.notes.push_back(message("%1 of %2 rows hold no number where one belongs and are missing; the first: %3",
+                                    counts.bad, counts.all(), counts.firstBad->asMessage()));
+  }
+  if (counts.cutLine) format_.notes.push_back(message("line %1, the last, is cut off and left out", *counts.cutLine));
+  if (counts.footer)
+    format_.notes.push_back(message("what stands below the rows is left out: %1", counts.footer->asMessage()));
 }
 
 Result<bool> TextReader::read(SampleBlock& block) {
@@ -227,23 +247,24 @@ Result<bool> TextReader::read(SampleBlock& block) {
   block.flags = 0;
   block.lostFrames = 0;
   std::int64_t firstFrame = 0;
-  while (block.frames < block.capacityFrames) {
+  while (block.frames < block.capacityFrames && framesRead_ < format_.frames) {
     if (!havePending_) {
-      const Result<bool> more = nextRow();
+      const Result<bool> more = rows_->next();
       if (!more) return more.error();
       if (!*more) break;
     }
-    havePending_ = row_.lost > 0 && block.frames > 0;  // missing frames are announced by the block after them
+    const TextRow& row = rows_->row();
+    havePending_ = row.lost > 0 && block.frames > 0;  // missing frames are announced by the block after them
     if (havePending_) break;
     if (block.frames == 0) {
-      if (row_.lost > 0) block.flags |= kBlockGap;
-      block.lostFrames = static_cast<std::uint64_t>(row_.lost);
-      lostTotal_ += row_.lost;
+      if (row.lost > 0) block.flags |= kBlockGap;
+      block.lostFrames = static_cast<std::uint64_t>(row.lost);
+      lostTotal_ += row.lost;
       firstFrame = framesRead_ + lostTotal_;
     }
-    for (std::size_t c = 0; c < row_.values.size(); ++c) {
+    for (std::size_t c = 0; c < row.values.size(); ++c) {
       block.samples[c * static_cast<std::size_t>(block.capacityFrames) + static_cast<std::size_t>(block.frames)] =
-          row_.values[c];
+          row.values[c];
     }
     ++block.frames;
     ++framesRead_;

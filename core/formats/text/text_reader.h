@@ -1,5 +1,6 @@
-// TextReader: CSV and other tables of numbers. open() reads the whole file once, so that a bad cell in the last line is
-// known before anything is made of the first; memory stays bounded. Thread: its owner's; not real-time.
+// TextReader: CSV and other tables of numbers. open() reads the whole file once, so that all that is missing, damaged
+// or left out in it is known before anything is made of the first row; memory stays bounded.
+// Thread: its owner's; not real-time.
 #pragma once
 
 #include <memory>
@@ -7,17 +8,10 @@
 #include <vector>
 
 #include "core/formats/recording_reader.h"
-#include "core/formats/text/line_reader.h"
 #include "core/formats/text/text_layout.h"
+#include "core/formats/text/text_rows.h"
 
 namespace stillcut::record {
-
-// One data line: its channels, its time, and what is missing before it.
-struct TextRow {
-  std::vector<float> values;  // per channel
-  double time = 0.0;          // [s], 0 without a time column
-  std::int64_t lost = 0;      // frames missing between the row before and this one
-};
 
 class TextReader final : public RecordingReader {
  public:
@@ -30,27 +24,28 @@ class TextReader final : public RecordingReader {
   TextReader(std::string path, TextLayout layout, TextChannels channels);
 
   Status scan(const ReadOptions& options);
-  Result<double> typicalStep();
-  Status settleRate(const ReadOptions& options, double evenTime, std::int64_t evenSteps);
-  Status rewind();
-  Result<bool> nextRow();
-  Status parseRow();
-  Result<double> numberIn(int column) const;
-  // Frames missing between two neighbouring rows; an error when time stands still or runs back.
-  Result<std::int64_t> missingBetween(double before, double after) const;
+  Status checkTime(const ReadOptions& options);
+  Status findStep();
+  Status pass();
+  // Columns that end early or are mostly empty; true: something has changed, and the rows are to be read again.
+  bool settleColumns();
+  void leaveOut(const std::vector<bool>& out);
+  Status checkBadRows();
+  Status settleRate(const ReadOptions& options);
+  void makeNotes();
 
   std::string path_;
   TextLayout layout_;
   TextChannels channels_;
   RecordingFormat format_;
-  bool timed_ = false;  // gaps are looked for
-  double step_ = 0.0;   // typical time between rows [s]; 0 until it is known
+  bool timed_ = false;     // gaps are looked for
+  double step_ = 0.0;      // typical time between rows [s]; 0 until it is known
+  double evenTime_ = 0.0;  // over all steps without a gap [s]
+  std::int64_t evenSteps_ = 0;
+  std::int64_t end_ = 0;  // rows; 0: all
 
-  std::unique_ptr<LineReader> lines_;
-  std::vector<std::string_view> cells_;
-  TextRow row_;
-  std::int64_t rows_ = 0;     // read since rewind()
-  bool havePending_ = false;  // row_ belongs to the next block
+  std::unique_ptr<TextRows> rows_;
+  bool havePending_ = false;  // the row at hand belongs to the next block
   std::int64_t lostTotal_ = 0;
   std::int64_t framesRead_ = 0;
   std::uint64_t sequence_ = 0;

@@ -139,7 +139,7 @@ TEST(Convert, NoSessionIsReplaced) {
 TEST(Convert, WhatFailsLeavesNothingBehind) {
   const TempFolder folder;
   const std::string good = folder.file("in.csv", kCut);
-  const std::string bad = folder.file("bad.csv", std::string(kCut) + "0.007,x,1\n");
+  const std::string bad = folder.file("bad.csv", std::string(kCut) + "0.0001,1,1\n");
   const std::string pause = folder.file("pause.csv", std::string(kCut) + "99,1,2\n");
   EXPECT_FALSE(convertRecording(good, folder / "out.xyz").ok());
   EXPECT_FALSE(convertRecording(bad, folder / "out.wav").ok());

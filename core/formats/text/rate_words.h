@@ -1,0 +1,21 @@
+// The sampling rate as the header or the footer of a table states it: "Sampling rate [Hz]:,10000", "# fs = 51.2 kHz",
+// "Sample Interval,Analog:0.0003125", "Rate 3200, overflows 0", "Delta t: 0.1 ms", or an Increment with its number in
+// the line below. Pure: any thread; set-up, not real-time.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/formats/text/text_cells.h"
+
+namespace stillcut::record {
+
+// The rates in one line that is no row [Hz]. A number that could be read in two ways counts as none.
+std::vector<double> ratesInLine(std::string_view line, const CellFormat& cells);
+
+// The same of several lines; a key without a number behind it has it in the same cell of the next line.
+std::vector<double> ratesInLines(std::span<const std::string> lines, const CellFormat& cells);
+
+}  // namespace stillcut::record
