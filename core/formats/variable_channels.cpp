@@ -102,6 +102,32 @@ Result<double> rateFromTimes(const FileArray& times, const std::string& path) {
   return wholeRate(rate, kFrames / (rate * seconds));
 }
 
+// The first column of several as an array of its own.
+FileArray firstColumn(const FileArray& array) {
+  FileArray first;
+  first.name = array.name + " 0";
+  first.frames = array.frames;
+  first.open = [open = array.open](int) { return open(0); };
+  return first;
+}
+
+// Rate of a first column that grows in even steps below a second, which fits the rate that the file states, if it does;
+// nothing: it is a channel like the others.
+std::optional<double> rateOfFirstColumn(const FileArray& array, std::optional<double> stated, const std::string& path) {
+  constexpr double kApart = 0.01;
+  constexpr std::int64_t kFewest = 8;
+  if (array.columns < 2 || array.frames < kFewest) return std::nullopt;
+  FileArray first = firstColumn(array);
+  constexpr std::int64_t kGlance = 1000;  // most signals show here that they are no times
+  first.frames = std::min(array.frames, kGlance);
+  if (!rateFromTimes(first, path)) return std::nullopt;
+  first.frames = array.frames;
+  const Result<double> rate = rateFromTimes(first, path);
+  if (!rate || !(*rate > 1.0)) return std::nullopt;
+  if (stated && std::abs(*rate - *stated) > kApart * *stated) return std::nullopt;
+  return *rate;
+}
+
 RecordedChannel channelOf(const FileArray& array, int column) {
   const std::string name = array.columns == 1 ? array.name : array.name + " " + std::to_string(column);
   RecordedChannel channel = channelFromWords(name, array.unit);
@@ -131,7 +157,9 @@ Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const
   format.kind = contents.kind;
   format.frames = usualLength(contents.arrays);
   format.skipped = std::move(contents.skipped);
-  std::optional<double> rate = rateFromNumbers(contents);
+  format.notes = std::move(contents.notes);
+  const std::optional<double> stated = rateFromNumbers(contents);
+  std::optional<double> rate = stated;
   if (options.rate) rate = options.rate->value;
   std::vector<ColumnChannel> all;
   for (const FileArray& array : contents.arrays) {
@@ -146,7 +174,10 @@ Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const
       format.skipped.push_back(array.name);
       continue;
     }
-    for (int c = 0; c < array.columns; ++c) {
+    const std::optional<double> times = rateOfFirstColumn(array, stated, contents.path);
+    if (!rate) rate = times;
+    if (times) format.skipped.push_back(array.name + " 0");
+    for (int c = times ? 1 : 0; c < array.columns; ++c) {
       all.push_back({channelOf(array, c), [open = array.open, c] { return open(c); }});
     }
   }

@@ -32,10 +32,12 @@ struct FileContents {
   std::vector<FileArray> arrays;
   std::vector<std::pair<std::string, double>> numbers;  // single numbers by name: "fs", "dt"
   std::vector<std::string> skipped;                     // neither
+  std::vector<Message> notes;                           // for RecordingFormat::notes
 };
 
 // The length at which most numbers lie is that of the recording; others are skipped. The rate comes from the
-// options, from a number (rate_hz, fs, sample_rate ... in Hz; dt, ts ... in s), or from an array named time or t.
+// options, from a number (rate_hz, fs, sample_rate ... in Hz; dt, ts ... in s), from an array named time or t, or from
+// the first column of an array of several where it grows evenly in steps below a second, as only time does.
 Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const ReadOptions& options);
 
 // Text of a file made fit for one line: UTF-8 whatever it was, control characters become '?', at most 80 bytes.

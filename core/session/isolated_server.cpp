@@ -135,15 +135,22 @@ int serveAnswer(int peer, const std::string& path, const apart::Ask& ask) {
 
 }  // namespace
 
-int serveIsolated(int peer, const std::string& path, const std::string& inner, const std::string& options) {
+void limitIsolated() {
   limit();
   alarm(kPatience);
-  if (const auto ask = apart::askFrom(options)) return serveAnswer(peer, path, *ask);
-  const bool session = inner.empty() && (isSession(path) || !opensPlainly(path));
-  const auto reader = session ? here::openSession(path, apart::optionsFrom(options))
-                              : openHdf5(path, inner, apart::optionsFrom(options));
+}
+
+int serveOpened(int peer, const Result<std::unique_ptr<RecordingReader>>& reader) {
   if (!reader) return say(peer, MessageType::Refused, apart::toJson(reader.error())) ? 0 : 1;
   return serveReader(peer, **reader);
+}
+
+int serveIsolated(int peer, const std::string& path, const std::string& inner, const std::string& options) {
+  limitIsolated();
+  if (const auto ask = apart::askFrom(options)) return serveAnswer(peer, path, *ask);
+  const bool session = inner.empty() && (isSession(path) || (!opensPlainly(path) && !isLeftOpen(path)));
+  return serveOpened(peer, session ? here::openSession(path, apart::optionsFrom(options))
+                                   : openHdf5(path, inner, apart::optionsFrom(options)));
 }
 
 }  // namespace stillcut::record

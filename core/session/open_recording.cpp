@@ -5,16 +5,20 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
 #include "core/formats/gap_list.h"
 #include "core/formats/hdf5/isolated_reader.h"
 #include "core/formats/matlab/mat_import.h"
+#include "core/formats/media/media_import.h"
+#include "core/formats/numpy/npy_import.h"
 #include "core/formats/sound/wav_reader.h"
 #include "core/formats/text/text_reader.h"
 #include "core/formats/universal/uff58.h"
 #include "core/formats/universal/uff_import.h"
 #include "core/session/file/session_reader.h"
+#include "core/session/refused_kinds.h"
 
 namespace stillcut::record {
 namespace {
@@ -28,8 +32,12 @@ bool isMpegAudio(std::string_view head) {
   return first == 0xFFU && (second & 0xE0U) == 0xE0U && (second & 0x06U) == 0x02U;
 }
 
+// Formats of libsndfile, by what they begin with: RIFF and its kin, FLAC, AIFF, OGG, Sun and NeXT, CAF, Creative,
+// IRCAM, Ensoniq, NIST.
 bool isSound(std::string_view head) {
-  constexpr auto kMagics = std::to_array<std::string_view>({"RIFF", "RIFX", "RF64", "fLaC", "FORM", "OggS", "riff"});
+  constexpr auto kMagics = std::to_array<std::string_view>(
+      {"RIFF", "RIFX", "RF64", "fLaC", "FORM", "OggS", "riff", ".snd", "dns.", "caff", "Creative Voice File", "2BIT",
+       "NIST_1A", "fap ", " paf", "\x64\xA3\x01", "\x64\xA3\x02", "\x64\xA3\x03", "\x64\xA3\x04"});
   for (const std::string_view magic : kMagics) {
     if (head.starts_with(magic)) return true;
   }
@@ -70,6 +78,28 @@ Result<std::unique_ptr<RecordingReader>> withGaps(Result<std::unique_ptr<Recordi
   return openWithGaps(std::move(opened).value(), name);
 }
 
+// Starts slowly, for its libraries are many, and may not be there at all.
+IsolatedProgram decoder() {
+  return {"stillcut-decoder", message("the decoder cannot read it"),
+          message("is a phone's or a camera's file, and this Stillcut was built without the decoder for them"),
+          message("convert it to WAV: ffmpeg -i FILE cut.wav")};
+}
+
+// Sound by libsndfile; what that cannot read of a container, and every other container, by libavformat, apart.
+Result<std::unique_ptr<RecordingReader>> openSound(const std::string& name, std::string_view head,
+                                                   const ReadOptions& options) {
+  if (isSound(head) || !isMedia(head)) {
+    auto opened = openWav(name, options);
+    if (opened || !isMedia(head)) return withGaps(std::move(opened), name);
+  }
+  return openIsolated(name, "", options, decoder());
+}
+
+// Arrays of NumPy, in a file of their own or in a ZIP archive.
+bool isNumpyArray(std::string_view head) {
+  return head.starts_with("\x93NUMPY");
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, const ReadOptions& options) {
@@ -83,12 +113,14 @@ Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, 
   if (head.empty()) return Error{name, message("the file is empty")};
   if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) return openIsolated(name, inner, options);
   if (head.starts_with("MATLAB 5.0")) return openMat5(name, inner, options);
-  if (!inner.empty()) return Error{path, message("only HDF5 and MATLAB files have places inside")};
+  if (head.starts_with("PK\x03\x04") && isNpz(name)) return openNpz(name, inner, options);
+  if (!inner.empty()) return Error{path, message("only HDF5, MATLAB and NumPy files have places inside")};
+  if (isNumpyArray(head)) return openNpy(name, options);
+  if (const std::optional<Error> refused = refusalOf(name, head)) return *refused;
   if (hasSuffix(name, ".mat"))
     return Error{name, message("is no MATLAB file of version 5 to 7.3"), message("its header is missing")};
-  if (isSound(head) || hasSuffix(name, ".wav") || hasSuffix(name, ".WAV")) {
-    return withGaps(openWav(name, options), name);
-  }
+  if (isSound(head) || isMedia(head) || hasSuffix(name, ".wav") || hasSuffix(name, ".WAV"))
+    return openSound(name, head, options);
   if (uff::looksLikeUff(head)) return withGaps(openUff(name, options), name);
   return TextReader::open(name, options);
 }

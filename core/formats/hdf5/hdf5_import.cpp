@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "core/formats/hdf5/hdf5_arrays.h"
@@ -22,6 +23,18 @@ std::string lastWord(const std::string& path) {
   return path.substr(path.rfind('/') + 1);
 }
 
+// A data set of one number in a folder.
+std::optional<double> numberIn(hid_t folder, const char* name) {
+  if (H5Lexists(folder, name, H5P_DEFAULT) <= 0) return std::nullopt;
+  const Hdf5Id dataset(H5Dopen2(folder, name, H5P_DEFAULT));
+  const Hdf5Id space(dataset ? H5Dget_space(dataset.get()) : H5I_INVALID_HID);
+  double value = 0.0;
+  if (!space || H5Sget_simple_extent_npoints(space.get()) != 1 ||
+      H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value) < 0)
+    return std::nullopt;
+  return value;
+}
+
 // Numbers in attributes count like single numbers beside the data: of the data set, then of every folder above it.
 void addAttributeNumbers(hid_t file, const std::string& from, FileContents& contents) {
   for (std::string at = from;; at = folderOf(at)) {
@@ -31,6 +44,8 @@ void addAttributeNumbers(hid_t file, const std::string& from, FileContents& cont
                                "sampling_frequency", "dt", "wf_increment", "sample_interval"}) {
         const std::string key = std::string(name) == "wf_increment" ? "dt" : name;
         if (const auto value = readNumber(object.get(), name)) contents.numbers.emplace_back(key, *value);
+        if (H5Iget_type(object.get()) != H5I_GROUP) continue;
+        if (const auto value = numberIn(object.get(), name)) contents.numbers.emplace_back(key, *value);
       }
     }
     if (at == "/") return;
@@ -82,13 +97,47 @@ Result<std::string> placeOf(const std::string& path, const std::vector<Hdf5Array
   return folder;
 }
 
+// Where the superblock of version 3 stands, its fourth byte from here says that a writer has the file open.
+constexpr std::streamoff kConsistencyFlags = 11;
+
+struct OpenedFile {
+  std::shared_ptr<Hdf5Id> file;
+  bool leftOpen = false;
+};
+
+// A file that its writer did not close is read where that writer let others read meanwhile.
+Result<OpenedFile> openFile(const std::string& path) {
+  auto file = std::make_shared<Hdf5Id>(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  if (*file) return OpenedFile{std::move(file), false};
+  const Message cause = hdf5Cause();
+  if (!isLeftOpen(path)) return Error{path, message("the HDF5 file cannot be opened"), cause};
+  // One try: nobody writes it any more. A session of ours that was cut off is not for this reader.
+  const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_metadata_read_attempts(access.get(), 1);
+  file = std::make_shared<Hdf5Id>(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()));
+  if (*file && !readAnyText(file->get(), "format")) return OpenedFile{std::move(file), true};
+  return Error{path, message("the HDF5 file was not closed by its writer"),
+               message("close it there, or run h5clear -s on a copy of it")};
+}
+
 }  // namespace
+
+bool isLeftOpen(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::array<char, 9> head{};
+  in.read(head.data(), head.size());
+  constexpr char kVersionWithFlags = 3;
+  if (!in || head[8] < kVersionWithFlags) return false;
+  in.seekg(kConsistencyFlags);
+  return in.get() > 0;
+}
 
 Result<std::unique_ptr<RecordingReader>> openHdf5(const std::string& path, const std::string& inner,
                                                   const ReadOptions& options) {
   quietHdf5();
-  auto file = std::make_shared<Hdf5Id>(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-  if (!*file) return Error{path, message("the HDF5 file cannot be opened"), hdf5Cause()};
+  Result<OpenedFile> opened = openFile(path);
+  if (!opened) return opened.error();
+  const std::shared_ptr<Hdf5Id> file = opened->file;
   std::error_code problem;
   const std::uint64_t fileBytes = std::filesystem::file_size(path, problem);
   Result<Hdf5Listing> listing = listHdf5Arrays(file->get(), inner.empty() ? "/" : inner, fileBytes, path);
@@ -102,6 +151,9 @@ Result<std::unique_ptr<RecordingReader>> openHdf5(const std::string& path, const
   const std::string where = inner.empty() ? path : path + ":" + inner;
   FileContents contents;
   contents.path = where;
+  if (opened->leftOpen) {
+    contents.notes.push_back(message("was not closed by its writer: what that had written so far is read"));
+  }
   contents.kind = isMatlab73(file->get(), listing->arrays) ? "MATLAB v7.3" : "HDF5";
   contents.numbers = listing->numbers;
   addAttributeNumbers(file->get(), listing->arrays.size() == 1 ? listing->arrays[0].path : place, contents);

@@ -16,4 +16,7 @@ namespace stillcut::record {
 Result<std::unique_ptr<RecordingReader>> openHdf5(const std::string& path, const std::string& inner,
                                                   const ReadOptions& options);
 
+// Does the file say that its writer has not closed it? False for what is no HDF5 file.
+bool isLeftOpen(const std::string& path);
+
 }  // namespace stillcut::record

@@ -125,6 +125,35 @@ CutSetup setupFrom(const Json& all) {
 
 }  // namespace
 
+namespace {
+
+Json json(const Message& message);
+Json json(const Message::Argument& argument) {
+  Json messages = Json::array();
+  for (const Message& message : argument.messages) messages.push_back(json(message));
+  return {{"verbatim", argument.verbatim}, {"messages", messages}};
+}
+Json json(const Message& message) {
+  Json arguments = Json::array();
+  for (const Message::Argument& argument : message.arguments) arguments.push_back(json(argument));
+  return {{"form", message.form}, {"arguments", arguments}};
+}
+
+Message messageFrom(const Json& all);
+Message::Argument argumentFrom(const Json& all) {
+  Message::Argument argument(all["verbatim"].get<std::string>());
+  for (const Json& one : all["messages"]) argument.messages.push_back(messageFrom(one));
+  return argument;
+}
+Message messageFrom(const Json& all) {
+  Message message;
+  message.form = all["form"].get<std::string>();
+  for (const Json& one : all["arguments"]) message.arguments.push_back(argumentFrom(one));
+  return message;
+}
+
+}  // namespace
+
 std::string toCbor(const RecordingFormat& format) {
   Json channels = Json::array();
   for (const RecordedChannel& c : format.channels) channels.push_back(packed(c));
@@ -142,6 +171,7 @@ std::string toCbor(const RecordingFormat& format) {
            {"started", format.started_ns},
            {"simulated", format.simulated},
            {"closed", format.closedCleanly}};
+  for (const Message& note : format.notes) all["notes"].push_back(json(note));
   if (format.setup) all["setup"] = packed(*format.setup);
   return cbor(all);
 }
@@ -163,6 +193,9 @@ RecordingFormat formatFrom(const std::string& packed) {
   format.started_ns = all["started"].get<std::int64_t>();
   format.simulated = all["simulated"].get<bool>();
   format.closedCleanly = all["closed"].get<bool>();
+  if (all.contains("notes")) {
+    for (const Json& note : all["notes"]) format.notes.push_back(messageFrom(note));
+  }
   if (all.contains("setup")) format.setup = setupFrom(all["setup"]);
   return format;
 }
@@ -205,35 +238,6 @@ void unpackStep(std::string_view bytes, StepRecord& step) {
   take(step.input.inputs);
   take(step.output);
 }
-
-namespace {
-
-Json json(const Message& message);
-Json json(const Message::Argument& argument) {
-  Json messages = Json::array();
-  for (const Message& message : argument.messages) messages.push_back(json(message));
-  return {{"verbatim", argument.verbatim}, {"messages", messages}};
-}
-Json json(const Message& message) {
-  Json arguments = Json::array();
-  for (const Message::Argument& argument : message.arguments) arguments.push_back(json(argument));
-  return {{"form", message.form}, {"arguments", arguments}};
-}
-
-Message messageFrom(const Json& all);
-Message::Argument argumentFrom(const Json& all) {
-  Message::Argument argument(all["verbatim"].get<std::string>());
-  for (const Json& one : all["messages"]) argument.messages.push_back(messageFrom(one));
-  return argument;
-}
-Message messageFrom(const Json& all) {
-  Message message;
-  message.form = all["form"].get<std::string>();
-  for (const Json& one : all["arguments"]) message.arguments.push_back(argumentFrom(one));
-  return message;
-}
-
-}  // namespace
 
 std::string toJson(const Error& error) {
   return text(Json{{"where", json(error.where)}, {"what", json(error.what)}, {"why", json(error.why)}});

@@ -21,11 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // Beside this program, where a package puts it, or where the build has made it.
-std::string readerProgram() {
+std::string placeOf(const std::string& name) {
   std::error_code none;
   const fs::path here = fs::read_symlink("/proc/self/exe", none).parent_path();
   for (const fs::path& candidate :
-       {here / "stillcut-reader", here.parent_path() / "libexec/stillcut/stillcut-reader", fs::path(STILLCUT_READER)}) {
+       {here / name, here.parent_path() / "libexec/stillcut" / name, fs::path(STILLCUT_READER).parent_path() / name}) {
     if (::access(candidate.c_str(), X_OK) == 0) return candidate.string();
   }
   return {};
@@ -52,9 +52,8 @@ IsolatedProcess::~IsolatedProcess() {
 Status IsolatedProcess::start(const std::string& path, const std::string& inner, const std::string& options) {
   path_ = path;
   if (Status regular = checkRegular(path); !regular) return regular;
-  const std::string program = readerProgram();
-  if (program.empty())
-    return Error{path, message("cannot be tried"), message("the program stillcut-reader is missing beside this one")};
+  const std::string program = placeOf(program_.name);
+  if (program.empty()) return Error{path, program_.missing, program_.remedy};
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     return Error{path, message("cannot be tried"), foreign(std::strerror(errno))};
@@ -98,7 +97,7 @@ int IsolatedProcess::spawn(const std::string& program, const std::string& inner,
 }
 
 Error IsolatedProcess::died() const {
-  return Error{path_, message("the HDF5 library cannot read it"), message("a damaged file")};
+  return Error{path_, program_.died, message("a damaged file")};
 }
 
 Result<std::pair<apart::MessageType, std::string>> IsolatedProcess::hear() const {

@@ -1,5 +1,5 @@
-// One process of stillcut-reader, which holds a file that may kill whoever reads it, and what is heard from it.
-// Thread: its owner's; waits, but never for longer than the process gives itself (isolated_server.h).
+// One process of stillcut-reader or stillcut-decoder, which holds a file that may kill whoever reads it, and what is
+// heard from it. Thread: its owner's; waits, but never for longer than the process gives itself (isolated_server.h).
 #pragma once
 
 #include <sys/types.h>
@@ -12,9 +12,18 @@
 
 namespace stillcut::record {
 
+// Which program reads the file, and what is said where it cannot.
+struct IsolatedProgram {
+  std::string name = "stillcut-reader";
+  Message died = message("the HDF5 library cannot read it");
+  Message missing = message("cannot be tried");
+  Message remedy = message("the program stillcut-reader is missing beside this one");
+};
+
 class IsolatedProcess {
  public:
   IsolatedProcess() = default;
+  explicit IsolatedProcess(IsolatedProgram program) : program_(std::move(program)) {}
   ~IsolatedProcess();  // the process has ended then
   IsolatedProcess(const IsolatedProcess&) = delete;
   IsolatedProcess& operator=(const IsolatedProcess&) = delete;
@@ -32,6 +41,7 @@ class IsolatedProcess {
   int spawn(const std::string& program, const std::string& inner, std::string options, int theirs);
 
   std::string path_;
+  IsolatedProgram program_;
   int peer_ = -1;
   pid_t child_ = -1;
 };

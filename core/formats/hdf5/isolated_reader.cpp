@@ -96,8 +96,8 @@ class IsolatedReader final : public RecordingReader {
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openIsolated(const std::string& path, const std::string& inner,
-                                                      const ReadOptions& options) {
-  auto process = std::make_unique<IsolatedProcess>();
+                                                      const ReadOptions& options, IsolatedProgram program) {
+  auto process = std::make_unique<IsolatedProcess>(std::move(program));
   if (const Status started = process->start(path, inner, apart::toJson(options)); !started) return started.error();
   const auto heard = process->hear();
   if (!heard) return heard.error();

@@ -8,13 +8,14 @@
 #include <memory>
 #include <string>
 
+#include "core/formats/hdf5/isolated_process.h"
 #include "core/formats/recording_reader.h"
 
 namespace stillcut::record {
 
-// A session comes back with its steps. Error: the library died or took more than a minute, then and later: one line;
-// else what openHdf5() or the session's own reader say.
+// A session comes back with its steps. Another `program` reads another kind of file in the same way. Error: the library
+// died or took more than a minute, then and later: one line; else what openHdf5() or the session's own reader say.
 Result<std::unique_ptr<RecordingReader>> openIsolated(const std::string& path, const std::string& inner,
-                                                      const ReadOptions& options);
+                                                      const ReadOptions& options, IsolatedProgram program = {});
 
 }  // namespace stillcut::record

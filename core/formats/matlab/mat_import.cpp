@@ -159,7 +159,7 @@ class MatListing {
       const Variable variable(next, FreeVariable{});
       if (++count > kMostVariables) return Error{contents_.path, message("holds more than 4096 variables")};
       if (variable->name == nullptr) continue;
-      if (const Status s = take(variable); !s) return s.error();
+      if (const Status s = take(variable, variable->name); !s) return s.error();
     }
     if (count == 0)
       return Error{contents_.path, message("holds no variable that can be read"), message("a damaged file")};
@@ -180,8 +180,30 @@ class MatListing {
   }
 
  private:
-  Status take(const Variable& v) {
+  // Fields of a struct, by their path: "rec.x". `v` keeps the struct that they are part of.
+  Status takeFields(const Variable& v, const std::string& path, int depth) {
+    constexpr int kDeepest = 8;
+    const std::size_t fields = v->data == nullptr ? 0 : Mat_VarGetNumberOfFields(v.get());
+    if (depth > kDeepest || v->rank != 2 || v->dims[0] * v->dims[1] != 1) return skip(cleanName(path));
+    for (std::size_t i = 0; i < fields; ++i) {
+      matvar_t* field = Mat_VarGetStructFieldByIndex(v.get(), i, 0);
+      if (field == nullptr || field->name == nullptr) continue;
+      if (const Status s = take(Variable(v, field), path + "." + field->name, depth + 1); !s) return s;
+    }
+    return Done{};
+  }
+
+  // "/x" for a variable, "/rec.x" or "/rec/x" for a field, "/rec" for all of a struct.
+  bool isWanted(const std::string& path) const {
+    if (inner_.empty()) return true;
+    std::string wanted = inner_.substr(1);
+    std::replace(wanted.begin(), wanted.end(), '/', '.');
+    return path == wanted || path.starts_with(wanted + ".");
+  }
+
+  Status take(const Variable& v, const std::string& path, int depth = 0) {
     const std::string name = cleanName(v->name);
+    if (v->class_type == MAT_C_STRUCT) return takeFields(v, path, depth);
     if (v->rank != 2 || v->dims == nullptr || v->dims[0] == 0 || v->dims[1] == 0) return skip(name);
     constexpr std::uint64_t kMostDeflated = 1100;
     const std::uint64_t most = fileBytes_ * (v->compression == MAT_COMPRESSION_ZLIB ? kMostDeflated : 1);
@@ -203,7 +225,7 @@ class MatListing {
       if (readSlab(mat_.get(), v.get(), true, 0, 0, 1, value)) contents_.numbers.emplace_back(name, value[0]);
       return Done{};
     }
-    if (!inner_.empty() && inner_ != "/" + std::string(v->name)) return Done{};
+    if (!isWanted(path)) return Done{};
     FileArray array;
     array.name = name;
     array.frames = static_cast<std::int64_t>(longer);

@@ -1,12 +1,15 @@
 #include "core/formats/universal/uff_import.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "core/formats/column_reader.h"
 #include "core/formats/universal/uff58_cursor.h"
 #include "core/formats/variable_channels.h"
+#include "core/units/unit_names.h"
 
 namespace stillcut::record {
 namespace {
@@ -83,71 +86,150 @@ bool isTimeResponse(const Uff58Header& header) {
          (header.function == uff::Uff58Function::General && header.abscissa.quantity == Uff58Quantity::Time);
 }
 
-// The step is written with six digits: a whole number of hertz within half of the last one is meant.
-double rateOf(double increment) {
-  const double unit = std::pow(10.0, std::floor(std::log10(increment)) - 5.0);
-  return wholeRate(1.0 / increment, 0.5 * unit / increment);
+// One unit of the last digit of a number written with six.
+double lastDigit(double value) {
+  return value == 0.0 ? 0.0 : std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5.0);
 }
 
-Status checkPoints(Uff58Cursor& cursor) {
+// Of an abscissa: seconds per unit of it.
+double secondsPerUnit(const Uff58Header& header) {
+  const std::optional<UnitMeaning> unit = unitFromText(header.abscissa.unit);
+  return unit && unit->kind == UnitKind::Time ? unit->toSi : 1.0;
+}
+
+// The step is written with six digits: a whole number of hertz within half of the last one is meant.
+double rateOf(double increment) {
+  return wholeRate(1.0 / increment, 0.5 * lastDigit(increment) / increment);
+}
+
+// Reads every point of the dataset at hand; `visit` gets each abscissa.
+template <class Visit>
+Status readPoints(Uff58Cursor& cursor, Visit visit) {
   std::array<uff::Uff58Point, 256> points;
   while (true) {
     const Result<std::size_t> got = cursor.read(points);
     if (!got) return got.error();
     if (*got == 0) return cursor.finish();
+    for (std::size_t i = 0; i < *got; ++i) visit(points[i].x);
   }
 }
 
-Status checkChannel(const Uff58Cursor::Place& place, const RecordingFormat& format, const std::string& path) {
-  const Uff58Header& header = place.header;
-  const std::string where = path + ": dataset " + std::to_string(place.dataset);
-  if (!header.even) return Error{where, message("its samples are not evenly spaced in time")};
-  if (format.frames == 0) return Done{};
-  if (static_cast<std::int64_t>(header.points) != format.frames) {
-    return Error{
-        where, message("has %1 samples, those before %2", std::to_string(header.points), std::to_string(format.frames)),
-        message("channels of one recording are of one length")};
+// One time response.
+struct UffChannel {
+  RecordedChannel channel;
+  Uff58Cursor::Place place;
+  double rate = 0.0;  // [Hz]
+  std::int64_t frames() const { return static_cast<std::int64_t>(place.header.points); }
+  std::string size() const {
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "%lld x %.6g Hz", static_cast<long long>(frames()), rate);
+    return text.data();
   }
-  if (rateOf(header.increment) != format.rate.value)
-    return Error{where, message("has another sampling rate than those before")};
-  return Done{};
+};
+
+// Written abscissae have as few digits as their writer gave them: each may be off by one of the last of six, and by
+// half a step for the clock's own jitter. Whatever lies further off is a gap, which this format cannot tell.
+Result<double> rateOfAbscissae(const std::string& path, const Uff58Cursor::Place& place, double first, double last) {
+  const std::string where = path + ": dataset " + std::to_string(place.dataset);
+  const auto steps = static_cast<double>(place.header.points) - 1.0;
+  const double step = (last - first) / steps;
+  if (!(step > 0.0)) return Error{where, message("its times do not grow")};
+  Result<uff::ByteWindow> window = uff::ByteWindow::open(path);
+  if (!window) return window.error();
+  Uff58Cursor cursor(std::move(*window), path);
+  cursor.go(place);
+  double at = first;
+  bool even = true;
+  const Status read = readPoints(cursor, [&](double x) {
+    even = even && std::abs(x - at) <= 0.5 * step + lastDigit(x);
+    at += step;
+  });
+  if (!read) return read.error();
+  if (!even) return Error{where, message("its samples are not evenly spaced in time")};
+  const double toSeconds = secondsPerUnit(place.header);
+  const double relative = lastDigit(std::max(std::abs(first), std::abs(last))) / (last - first);
+  return wholeRate(1.0 / (step * toSeconds), relative);
+}
+
+// Every time response of the file, each read to its end; other functions by name in `skipped`.
+Result<std::vector<UffChannel>> listChannels(const std::string& path, std::vector<std::string>& skipped) {
+  Result<uff::ByteWindow> window = uff::ByteWindow::open(path);
+  if (!window) return window.error();
+  Uff58Cursor cursor(std::move(*window), path);
+  std::vector<UffChannel> all;
+  while (true) {
+    const Result<bool> more = cursor.next();
+    if (!more) return more.error();
+    if (!*more) return all;
+    UffChannel found{channelOf(cursor.header(), cursor.place().dataset), cursor.place()};
+    double first = NAN;
+    double last = NAN;
+    const Status read = readPoints(cursor, [&](double x) {
+      if (std::isnan(first)) first = x;
+      last = x;
+    });
+    if (!read) return read.error();
+    const Uff58Header& header = found.place.header;
+    if (!isTimeResponse(header)) {
+      skipped.push_back(found.channel.info.name);
+      continue;
+    }
+    found.rate = rateOf(header.increment * secondsPerUnit(header));
+    if (!header.even) {
+      const Result<double> rate = rateOfAbscissae(path, found.place, first, last);
+      if (!rate) return rate.error();
+      found.rate = *rate;
+    }
+    all.push_back(std::move(found));
+    constexpr std::size_t kMostDatasets = 4096;
+    if (all.size() > kMostDatasets) return Error{path, message("holds more than 4096 channels")};
+  }
+}
+
+// Channels of one length and one rate are one recording: of several the one that holds most numbers is taken.
+const UffChannel& mostNumbers(const std::vector<UffChannel>& all) {
+  const UffChannel* best = nullptr;
+  std::int64_t most = 0;
+  for (const UffChannel& one : all) {
+    std::int64_t numbers = 0;
+    for (const UffChannel& other : all) {
+      if (other.frames() == one.frames() && other.rate == one.rate) numbers += other.frames();
+    }
+    if (numbers <= most) continue;
+    most = numbers;
+    best = &one;
+  }
+  return *best;
 }
 
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openUff(const std::string& path, const ReadOptions& options) {
-  Result<uff::ByteWindow> window = uff::ByteWindow::open(path);
-  if (!window) return window.error();
-  Uff58Cursor cursor(std::move(*window), path);
   RecordingFormat format;
   format.kind = "universal file, dataset 58";
+  Result<std::vector<UffChannel>> found = listChannels(path, format.skipped);
+  if (!found) return found.error();
+  if (found->empty()) {
+    const Message others = message("%1 datasets 58 hold other functions", format.skipped.size());
+    return Error{path, message("holds no time recording"),
+                 format.skipped.empty() ? message("no dataset 58 in it") : others};
+  }
+  const UffChannel& chosen = mostNumbers(*found);
+  format.frames = chosen.frames();
+  format.rate = Hertz(chosen.rate);
   std::vector<ColumnChannel> all;
-  while (true) {
-    const Result<bool> more = cursor.next();
-    if (!more) return more.error();
-    if (!*more) break;
-    const Uff58Cursor::Place place = cursor.place();
-    if (const Status s = checkPoints(cursor); !s) return s.error();
-    RecordedChannel channel = channelOf(place.header, place.dataset);
-    if (!isTimeResponse(place.header)) {
-      format.skipped.push_back(channel.info.name);
+  for (const UffChannel& one : *found) {
+    if (one.frames() != chosen.frames() || one.rate != chosen.rate) {
+      format.skipped.push_back(one.channel.info.name);
+      format.notes.push_back(
+          message("channel '%1' is left out: %2 beside %3", one.channel.info.name, one.size(), chosen.size()));
       continue;
     }
-    if (const Status s = checkChannel(place, format, path); !s) return s.error();
-    format.frames = static_cast<std::int64_t>(place.header.points);
-    format.rate = Hertz(rateOf(place.header.increment));
-    all.push_back({std::move(channel), [path, place]() -> Result<std::unique_ptr<Column>> {
+    all.push_back({one.channel, [path, place = one.place]() -> Result<std::unique_ptr<Column>> {
                      Result<uff::ByteWindow> own = uff::ByteWindow::open(path);
                      if (!own) return own.error();
                      return std::unique_ptr<Column>(new UffColumn(std::move(*own), path, place));
                    }});
-    constexpr std::size_t kMostDatasets = 4096;
-    if (all.size() > kMostDatasets) return Error{path, message("holds more than 4096 channels")};
-  }
-  if (all.empty()) {
-    const Message others = message("%1 datasets 58 hold other functions", format.skipped.size());
-    return Error{path, message("holds no time recording"),
-                 format.skipped.empty() ? message("no dataset 58 in it") : others};
   }
   return openColumns(path, std::move(format), std::move(all), options);
 }

@@ -9,8 +9,9 @@
 
 namespace stillcut::record {
 
-// Reads the file once to its end, so that damage is known before anything is made of it, with a fixed buffer. Channels
-// must be as long as each other, with one rate. Other functions (spectra, frequency responses) are named in `skipped`.
+// Reads the file once to its end, so that damage is known before anything is made of it, with a fixed buffer. Of
+// channels of several lengths or rates those that hold most numbers are read; the others, and other functions (spectra,
+// frequency responses), are named in `skipped`.
 Result<std::unique_ptr<RecordingReader>> openUff(const std::string& path, const ReadOptions& options);
 
 }  // namespace stillcut::record

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "core/storage/hdf5_file.h"
 #include "tests/support/read_all.h"
@@ -49,6 +50,40 @@ std::vector<float> ramp(std::size_t n) {
   std::vector<float> values(n);
   for (std::size_t i = 0; i < n; ++i) values[i] = static_cast<float>(i);
   return values;
+}
+
+// As a logger leaves it that was killed while others could read: copied while it is still open.
+TEST(Hdf5Import, AFileThatItsWriterLeftOpenIsReadOrSaysWhatToDo) {
+  const TempFolder folder;
+  for (const bool shared : {true, false}) {
+    const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS));
+    H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+    const std::string path = folder / "open.h5";
+    const Hdf5Id file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
+    const hsize_t length = 2000;
+    {
+      const Hdf5Id space(H5Screate_simple(1, &length, nullptr));
+      const Hdf5Id set(
+          H5Dcreate2(file.get(), "x", H5T_NATIVE_FLOAT, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+      ASSERT_GE(H5Dwrite(set.get(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, ramp(2000).data()), 0);
+      writeNumber(set.get(), "fs", 8000.0);
+    }
+    if (shared) {
+      ASSERT_GE(H5Fstart_swmr_write(file.get()), 0);
+    }
+    H5Fflush(file.get(), H5F_SCOPE_GLOBAL);
+    const std::string left = folder / "left.h5";
+    std::filesystem::copy_file(path, left, std::filesystem::copy_options::overwrite_existing);
+    const WholeRecording all = readAll(left);
+    if (shared) {
+      ASSERT_EQ(all.error, "");
+      EXPECT_EQ(all.values[0].size(), 2000U);
+      ASSERT_EQ(all.format.notes.size(), 1U);
+      EXPECT_THAT(text(all.format.notes[0]), HasSubstr("was not closed by its writer"));
+    } else {
+      EXPECT_THAT(all.error, HasSubstr("was not closed by its writer (close it there, or run h5clear -s"));
+    }
+  }
 }
 
 TEST(Hdf5Import, ADataSetByPathWithUnitAndRateFromAttributes) {

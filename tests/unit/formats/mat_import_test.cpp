@@ -30,6 +30,19 @@ class MatWriter {
     std::array<std::size_t, 2> dims{rows, values.size() / rows};
     write(Mat_VarCreate(name, kind, type, 2, dims.data(), values.data(), 0));
   }
+  // A struct of one element with vectors and single numbers as its fields.
+  void record(const char* name, std::vector<std::pair<const char*, std::vector<double>>> fields) {
+    std::vector<const char*> names;
+    for (const auto& field : fields) names.push_back(field.first);
+    std::array<std::size_t, 2> one{1, 1};
+    matvar_t* made = Mat_VarCreateStruct(name, 2, one.data(), names.data(), static_cast<unsigned>(names.size()));
+    for (auto& [field, values] : fields) {
+      std::array<std::size_t, 2> dims{values.size(), 1};
+      Mat_VarSetStructFieldByName(made, field, 0,
+                                  Mat_VarCreate(nullptr, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims.data(), values.data(), 0));
+    }
+    write(made);
+  }
   void text(const char* name, std::string letters) {
     std::array<std::size_t, 2> dims{1, letters.size()};
     write(Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UINT8, 2, dims.data(), letters.data(), 0));
@@ -121,6 +134,51 @@ TEST_P(MatKinds, VectorsAreChannelsWithUnitsAndRateBesideThem) {
     ASSERT_NEAR(all.values[0][i], 1e-3 * expected[i], 1e-10) << i;
     ASSERT_EQ(all.values[1][i], -7000.0) << i;
   }
+}
+
+TEST_P(MatKinds, FieldsOfAStructAreChannelsByTheirPath) {
+  const TempFolder folder;
+  const std::string path = folder / "cut.mat";
+  constexpr std::size_t kFrames = 5000;
+  {
+    MatWriter mat(path, GetParam().version, GetParam().compression);
+    mat.record("rec", {{"x", wave(kFrames, 0.1)}, {"y", wave(kFrames, 0.2)}, {"fs", {10'000.0}}});
+  }
+  const WholeRecording all = readAll(path);
+  ASSERT_EQ(all.error, "");
+  EXPECT_EQ(all.format.rate.value, 10'000.0);
+  ASSERT_EQ(all.format.channels.size(), 2U);
+  EXPECT_EQ(all.format.channels[1].info.name, "y");
+  ASSERT_EQ(all.values[1].size(), kFrames);
+  for (std::size_t i = 0; i < kFrames; ++i) ASSERT_NEAR(all.values[1][i], std::sin(0.2 * static_cast<double>(i)), 1e-6);
+  const WholeRecording one = readAll(path + ":/rec/y");
+  ASSERT_EQ(one.error, "");
+  ASSERT_EQ(one.format.channels.size(), 1U);
+  EXPECT_EQ(one.format.channels[0].info.name, "y");
+}
+
+TEST_P(MatKinds, AFirstColumnThatGrowsEvenlyIsTheTime) {
+  const TempFolder folder;
+  const std::string path = folder / "txy.mat";
+  constexpr std::size_t kFrames = 4000;
+  std::vector<double> values(kFrames);
+  for (std::size_t i = 0; i < kFrames; ++i) values[i] = static_cast<double>(i) / 10'000.0;
+  for (const double step : {0.1, 0.2}) {
+    const std::vector<double> more = wave(kFrames, step);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  {
+    MatWriter mat(path, GetParam().version, GetParam().compression);
+    mat.array("data", MAT_C_DOUBLE, MAT_T_DOUBLE, values, kFrames);
+  }
+  WholeRecording all = readAll(path);
+  ASSERT_EQ(all.error, "");
+  EXPECT_EQ(all.format.rate.value, 10'000.0);
+  ASSERT_EQ(all.format.channels.size(), 2U);
+  EXPECT_NEAR(all.values[0][50], std::sin(5.0), 1e-6);
+  all = readAll(path, atOneKilohertz());
+  EXPECT_EQ(all.format.rate.value, 1000.0);
+  EXPECT_EQ(all.format.channels.size(), 2U) << "a time is no channel, whatever rate is told";
 }
 
 TEST_P(MatKinds, ColumnsOfAMatrixAreChannelsAndTimesGiveTheRate) {

@@ -55,17 +55,39 @@ TEST(UffImport, ChannelsComeFromEveryFormWhateverTheLength) {
   }
 }
 
-TEST(UffImport, ChannelsThatDoNotFitTogetherAreRefused) {
+TEST(UffImport, OfSeveralRatesThatWithMostNumbersIsReadAndTheOthersAreNamed) {
   const TempFolder folder;
-  const std::string one = test::uffDataset(channel("a", 50, 1000.0, 1), Uff58Form::Ascii);
-  const auto errorOf = [&](const std::string& content) { return readAll(folder.file("x.uff", content)).error; };
-  EXPECT_THAT(errorOf(one + test::uffDataset(channel("b", 51, 1000.0, 1), Uff58Form::Ascii)),
-              HasSubstr("dataset 2: has 51 samples, those before 50"));
-  EXPECT_THAT(errorOf(one + test::uffDataset(channel("b", 50, 2000.0, 1), Uff58Form::Ascii)),
-              HasSubstr("another sampling rate"));
-  uff::Uff58Dataset uneven = channel("a", 50, 1000.0, 1);
-  uneven.even = false;
-  EXPECT_THAT(errorOf(test::uffDataset(uneven, Uff58Form::Ascii)), HasSubstr("not evenly spaced"));
+  for (const uff::Uff58Dataset& other : {channel("b", 40, 1000.0, 1), channel("b", 50, 2000.0, 1)}) {
+    const std::string both = test::uffDataset(channel("a", 50, 1000.0, 1), Uff58Form::Ascii) +
+                             test::uffDataset(other, Uff58Form::Ascii) +
+                             test::uffDataset(channel("c", 50, 1000.0, 2), Uff58Form::Ascii);
+    const WholeRecording all = readAll(folder.file("x.uff", both));
+    ASSERT_EQ(all.error, "");
+    EXPECT_EQ(all.format.rate.value, 1000.0);
+    ASSERT_EQ(all.format.channels.size(), 2U);
+    EXPECT_EQ(all.format.channels[1].info.name, "c");
+    EXPECT_THAT(all.format.skipped, testing::ElementsAre("b"));
+    ASSERT_EQ(all.format.notes.size(), 1U);
+    EXPECT_THAT(text(all.format.notes[0]), HasSubstr("channel 'b' is left out"));
+  }
+}
+
+TEST(UffImport, WrittenAbscissaeGiveTheRateWhereTheyAreEven) {
+  const TempFolder folder;
+  for (const Uff58Form form : {Uff58Form::Ascii, Uff58Form::LittleEndian}) {
+    uff::Uff58Dataset set = channel("a", 4000, 10'000.0, 1);
+    set.even = false;
+    WholeRecording all = readAll(folder.file("x.uff", test::uffDataset(set, form)));
+    ASSERT_EQ(all.error, "");
+    EXPECT_EQ(all.format.rate.value, 10'000.0);
+    ASSERT_EQ(all.values[0].size(), 4000U);
+    EXPECT_NEAR(all.values[0][77], 9.80665 * set.y[77].real(), 1e-4);
+    set.abscissa.unit = "ms";
+    EXPECT_NEAR(readAll(folder.file("x.uff", test::uffDataset(set, form))).format.rate.value, 1e7, 1.0);
+    for (std::size_t i = 2000; i < set.x.size(); ++i) set.x[i] += 0.01;
+    all = readAll(folder.file("x.uff", test::uffDataset(set, form)));
+    EXPECT_THAT(all.error, HasSubstr("not evenly spaced")) << "a gap that the format cannot tell";
+  }
 }
 
 TEST(UffImport, TruncationIsFoundBeforeTheFirstBlock) {

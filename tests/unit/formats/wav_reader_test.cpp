@@ -157,6 +157,78 @@ TEST(WavFiles, AHeaderThatPromisesMoreThanThereIsIsReadWithANote) {
   EXPECT_THAT(text((*reader)->format().notes.front()), HasSubstr("its recorder did not end it"));
 }
 
+// Sixteen bits, two channels, `sizes` as the header gives those of the file and of its samples.
+std::string pcmWav(std::uint32_t riff, std::uint32_t data, const std::vector<std::int16_t>& samples) {
+  const auto word = [](std::uint32_t value, int bytes) {
+    std::string text;
+    for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 0xffU);
+    return text;
+  };
+  std::string wav = "RIFF" + word(riff, 4) + "WAVEfmt " + word(16, 4) + word(1, 2) + word(2, 2) + word(8000, 4) +
+                    word(32000, 4) + word(4, 2) + word(16, 2) + "data" + word(data, 4);
+  for (const std::int16_t sample : samples) wav += word(static_cast<std::uint16_t>(sample), 2);
+  return wav;
+}
+
+TEST(WavFiles, ASizeOfNothingOrOfAPipeMeansAllThatIsThere) {
+  const TempFolder folder;
+  const std::vector<std::int16_t> samples{16384, -16384, 8192, 0, -8192, 1};
+  for (const auto& [riff, data] : {std::pair{0U, 0U}, {36U, 0U}, {0xFFFFFFFFU, 0xFFFFFFFFU}}) {
+    const auto reader = openRecording(folder.file("killed.wav", pcmWav(riff, data, samples)));
+    ASSERT_TRUE(reader.ok()) << reader.error().line();
+    EXPECT_EQ((*reader)->format().frames, 3);
+    EXPECT_EQ((*reader)->format().rate.value, 8000.0);
+    EXPECT_EQ((*reader)->format().notes.size(), 1U);
+    SampleBlock block;
+    block.allocate(2, 16);
+    ASSERT_TRUE((*reader)->read(block).ok());
+    ASSERT_EQ(block.frames, 3);
+    EXPECT_FLOAT_EQ(block.channel(0)[0], 0.5F);
+    EXPECT_FLOAT_EQ(block.channel(0)[2], -0.25F);
+    EXPECT_FLOAT_EQ(block.channel(1)[0], -0.5F);
+  }
+}
+
+// A file with holes: 4.5 GB that take no room.
+TEST(WavFiles, ASizeThat32BitsDoNotHoldIsToldByWhatIsThere) {
+  const TempFolder folder;
+  constexpr std::uint64_t kBytes = 4'500'000'000;
+  const std::string path =
+      folder.file("long.wav", pcmWav(static_cast<std::uint32_t>(kBytes + 36), static_cast<std::uint32_t>(kBytes), {}));
+  std::error_code problem;
+  std::filesystem::resize_file(path, 44 + kBytes, problem);
+  if (problem) GTEST_SKIP() << "no file of 4.5 GB with holes here: " << problem.message();
+  const auto reader = openRecording(path);
+  ASSERT_TRUE(reader.ok()) << reader.error().line();
+  EXPECT_EQ((*reader)->format().frames, static_cast<std::int64_t>(kBytes / 4));
+  ASSERT_EQ((*reader)->format().notes.size(), 1U);
+  EXPECT_THAT(text((*reader)->format().notes.front()), HasSubstr("what 32 bits leave of 4500000000"));
+}
+
+// By what is in them: the names say nothing.
+TEST(SoundFiles, EveryFormatOfTheLibraryIsToldByItsContent) {
+  const TempFolder folder;
+  for (const int format :
+       std::initializer_list<int>{SF_FORMAT_AIFF, SF_FORMAT_AU, SF_FORMAT_AU | SF_ENDIAN_LITTLE, SF_FORMAT_CAF,
+                                  SF_FORMAT_W64, SF_FORMAT_VOC, SF_FORMAT_NIST, SF_FORMAT_IRCAM, SF_FORMAT_AVR,
+                                  SF_FORMAT_PAF, SF_FORMAT_SVX, SF_FORMAT_WAVEX, SF_FORMAT_RF64, SF_FORMAT_FLAC}) {
+    const std::string path = folder / "recording.dat";
+    SF_INFO info{};
+    info.samplerate = 8000;
+    info.channels = 1;
+    info.format = format | SF_FORMAT_PCM_16;
+    SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
+    ASSERT_NE(file, nullptr) << std::hex << format << ": " << sf_strerror(nullptr);
+    const std::vector<float> samples(500, 0.25F);
+    ASSERT_EQ(sf_write_float(file, samples.data(), 500), 500);
+    sf_close(file);
+    const auto reader = openRecording(path);
+    ASSERT_TRUE(reader.ok()) << std::hex << format << ": " << reader.error().line();
+    EXPECT_EQ((*reader)->format().frames, 500) << std::hex << format;
+    EXPECT_NEAR((*reader)->format().rate.value, 8000.0, 100.0) << "of VOC in whole microseconds";
+  }
+}
+
 TEST(WavFiles, HeadersThatLieAreRefused) {
   const TempFolder folder;
   const std::string whole = contentOf(writeRamp(folder, 2, 200));
