@@ -25,7 +25,7 @@ struct AnalyzeOptions {
   std::string recording, speedLog, detector, events, series;
   int teeth = 0;
   double speed = 0.0;
-  bool json = false, values = false, teethGiven = false, speedGiven = false;
+  bool json = false, values = false, truth = false, teethGiven = false, speedGiven = false;
   ReadingOptions reading;
   SettingOptions settings;
 };
@@ -116,7 +116,7 @@ int analyze(const AnalyzeOptions& given) {
   if (!built) return fail(built.error());
   Rig& rig = *built->rig;
 
-  auto truth = evaluate::truthOf(given.recording);
+  auto truth = given.truth ? evaluate::truthOf(given.recording) : evaluate::truthIn(given.recording);
   if (!truth) return fail(truth.error());
   std::vector<detect::DetectorInfo> infos;
   for (const auto& detector : rig.chain().parts().detectors) infos.push_back(detector->describe());
@@ -167,6 +167,7 @@ void addAnalyze(CLI::App& app, int& exitCode) {
   command->add_option("--events", o->events, "Write every change of state to OUT.json");
   command->add_option("--series", o->series, "Write the indicators of every block to OUT.csv");
   command->add_flag("--values", o->values, "Also print what the program set itself, and why");
+  command->add_flag("--truth", o->truth, "Compare with what is known of it: TRUTH.csv or NAME_truth.csv beside it");
   command->add_flag("--json", o->json, "Print one JSON object");
   o->settings.add(*command);
   command->callback([o, teeth, speed, &exitCode] {

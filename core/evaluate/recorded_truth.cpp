@@ -142,8 +142,8 @@ Result<std::optional<RecordedTruth>> fromCase(const fs::path& recording, const s
   const Onsets onsets{Seconds(std::isnan(slight) ? kAlways : slight), Seconds(number("onset_20pct_s"))};
   truth.spans = spansOfRatio(times, ratios, onsets);
   if (const double hz = number("chatter_hz_at_onset"); hz > 0.0) truth.chatter = Hertz(hz);
-  truth.teeth = static_cast<int>(about.value("teeth", 0));
-  truth.speed = Rpm(about.value("spindle_rpm", 0.0));
+  if (const double teeth = number("teeth"); teeth >= 1.0) truth.teeth = static_cast<int>(teeth);
+  if (const double speed = number("spindle_rpm"); speed > 0.0) truth.speed = Rpm(speed);
   const bool displacement = recording.stem().string().ends_with("_disp");
   truth.quantity = displacement ? SensorQuantity::Displacement : SensorQuantity::Acceleration;
   constexpr double kMicrometre = 1e-6;
@@ -262,15 +262,17 @@ std::vector<TruthSpan> spansOfMarkers(const std::vector<Marker>& markers, Instan
   return spans;
 }
 
+Result<std::optional<RecordedTruth>> truthIn(const std::string& recording) {
+  if (!record::isHdf5File(recording)) return std::optional<RecordedTruth>();
+  const auto reader = record::openRecording(recording);
+  if (!reader) return reader.error();
+  if (!(*reader)->format().setup) return std::optional<RecordedTruth>();
+  return fromSession(recording);
+}
+
 Result<std::optional<RecordedTruth>> truthOf(const std::string& recording) {
-  if (record::isHdf5File(recording)) {
-    const auto reader = record::openRecording(recording);
-    if (!reader) return reader.error();
-    if ((*reader)->format().setup) {
-      auto found = fromSession(recording);
-      if (!found || *found) return found;
-    }
-  }
+  auto inside = truthIn(recording);
+  if (!inside || *inside) return inside;
   const fs::path path(recording);
   std::error_code ignored;
   const std::string table = (path.parent_path() / "TRUTH.csv").string();

@@ -24,7 +24,11 @@ struct RecordedTruth {
   std::optional<Hertz> chatter;  // its frequency at the onset
 };
 
-// Empty: nobody has said anything about it. Error: what is said cannot be read.
+// What a session says of itself; of any other file, nothing. A file beside it is not looked at: it may be called the
+// same by chance. Empty: nobody has said anything. Error: what is said cannot be read.
+Result<std::optional<RecordedTruth>> truthIn(const std::string& recording);
+
+// The same, and then what stands beside the recording: for whoever has asked for it.
 Result<std::optional<RecordedTruth>> truthOf(const std::string& recording);
 
 // Spans from how strong the chatter was against the forced vibration, as simulations tell it. From `clear` on (20 %, in

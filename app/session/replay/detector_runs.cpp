@@ -57,7 +57,7 @@ Result<std::optional<FileScore>> scoreOne(const std::string& file, const ScoreRe
 
 Result<std::vector<ui::DetectorTrack>> trackDetectors(const std::string& file, const std::vector<std::string>& settings,
                                                       BackgroundTask::Progress& progress) {
-  const auto truth = evaluate::truthOf(file);
+  const auto truth = evaluate::truthIn(file);
   const evaluate::RecordedTruth known = truth && truth.value() ? *truth.value() : evaluate::RecordedTruth{};
   const bool compared = !settings.empty();
   const double share = compared ? 0.5 : 1.0;

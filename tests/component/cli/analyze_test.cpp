@@ -102,7 +102,8 @@ TEST_F(Analyze, ScoresEveryDetectorWhereTheTruthIsKnown) {
   writeSound(folder_ / "cut.wav", {cutSignal(true), second});
   EXPECT_TRUE(analyze("cut.wav", told())["truth"].is_null());
   std::ofstream(folder_ / "TRUTH.csv") << "file,t0_s,t1_s,label\ncut.wav,0.2,1.1,stable\ncut.wav,1.3,2.5,chatter\n";
-  const json answer = analyze("cut.wav", told({"--detector", "all"}));
+  EXPECT_TRUE(analyze("cut.wav", told())["truth"].is_null()) << "nobody has asked for it";
+  const json answer = analyze("cut.wav", told({"--detector", "all", "--truth"}));
   EXPECT_THAT(answer["truth"].get<std::string>(), testing::EndsWith("TRUTH.csv"));
   ASSERT_EQ(answer["detectors"].size(), 4U);
   for (const json& detector : answer["detectors"]) {
@@ -114,7 +115,7 @@ TEST_F(Analyze, ScoresEveryDetectorWhereTheTruthIsKnown) {
     EXPECT_NEAR(detector["frequency_hz"], kChatter, 0.02 * kChatter) << detector;
   }
   const Outcome table = runCli(folder_ / "", {"analyze", "cut.wav", "--teeth", "4", "--speed", "8500", "--quantity",
-                                              "acceleration", "--detector", "all"});
+                                              "acceleration", "--detector", "all", "--truth"});
   EXPECT_THAT(table.out, testing::HasSubstr("found      delay   f error  false"));
   // Every row ends where the heading does: a table, whatever stands in it.
   std::istringstream lines(table.out);
@@ -124,6 +125,15 @@ TEST_F(Analyze, ScoresEveryDetectorWhereTheTruthIsKnown) {
     if (line.starts_with("detector") || !widths.empty()) widths.push_back(line.size());
   }
   EXPECT_EQ(widths, std::vector<std::size_t>(5, widths.front()));
+}
+
+// A file that is called the same by chance, and not what a case's is.
+TEST_F(Analyze, WhatStandsBesideARecordingIsNotReadUnasked) {
+  writeSound(folder_ / "case_acc.wav", {cutSignal(true)});
+  std::ofstream(folder_ / "case.json") << R"({"teeth": "four", "spindle_rpm": []})";
+  std::ofstream(folder_ / "case_truth.csv") << "t_s,ratio_chatter_to_forced\n0,0\n1,0\n2,1\n";
+  EXPECT_TRUE(analyze("case_acc.wav", told())["truth"].is_null());
+  EXPECT_FALSE(analyze("case_acc.wav", told({"--truth"}))["truth"].is_null()) << "numbers that are none are not told";
 }
 
 // A simulated case beside its truth: delay, frequency error and false alarms of every detector side by side.
@@ -141,7 +151,7 @@ TEST_F(Analyze, ScoresTheFrequencyOfACaseAsWell) {
                    {"onset_20pct_s", kOnset},
                    {"chatter_hz_at_onset", kChatter}};
   std::ofstream(folder_ / "case.json") << about;
-  const json answer = analyze("case_acc.wav", told({"--detector", "all"}));
+  const json answer = analyze("case_acc.wav", told({"--detector", "all", "--truth"}));
   ASSERT_EQ(answer["detectors"].size(), 4U);
   for (const json& detector : answer["detectors"]) {
     const double error = detector["frequency_hz"].get<double>() / kChatter - 1.0;
