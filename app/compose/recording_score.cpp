@@ -90,8 +90,9 @@ std::string whatIfSentence(const std::string& detector, const evaluate::AlarmSco
 
 std::vector<std::string> recordingsIn(const std::string& folder, const std::function<bool()>& goOn) {
   namespace fs = std::filesystem;
-  constexpr auto kSuffixes = std::to_array<std::string_view>(
-      {".h5", ".hdf5", ".wav", ".rf64", ".flac", ".csv", ".txt", ".lvm", ".mat", ".uff", ".unv"});
+  constexpr auto kSuffixes =
+      std::to_array<std::string_view>({".h5", ".hdf5", ".wav", ".rf64", ".flac", ".csv", ".txt", ".lvm", ".mat", ".uff",
+                                       ".unv", ".npy", ".npz", ".mp3", ".m4a", ".mp4", ".mov"});
   std::vector<std::string> found;
   std::error_code problem;
   for (auto entry = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, problem);
