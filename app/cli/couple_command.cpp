@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <string_view>
 
 #include "app/cli/command.h"
 #include "app/cli/modes_text.h"
@@ -73,7 +74,7 @@ std::string columnsOf(const std::vector<AxisModes>& axes) {
   std::string out = "Frequency [Hz]";
   for (const AxisModes& a : axes) {
     const std::string axis(name(a.axis == Axis::Unknown ? Axis::X : a.axis));
-    out += ",Re G" + axis + axis + " [m/N],Im G" + axis + axis + " [m/N]";
+    for (const std::string_view part : {",Re G", ",Im G"}) out.append(part).append(axis).append(axis).append(" [m/N]");
   }
   out += "\n";
   for (std::size_t i = 0; i < axes.front().frf.value.size(); ++i) {
@@ -120,7 +121,7 @@ Result<AxisModes> tipAlong(const AxisModes& face, const AxisModes* above, const 
 
 Status checkGiven(const CoupleCommand& c) {
   for (const std::string& out : {c.out, c.modes}) {
-    if (const Status usable = checkOutPath(out, c.face); !usable) return usable;
+    if (const Status usable = checkOutPath(out, c.face); !usable) return usable.error();
   }
   if (c.cross.empty() == (c.spacing_mm == 0.0)) return Done{};
   return Error{message("couple"), message("--cross and --spacing belong together"),

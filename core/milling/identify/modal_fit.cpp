@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/milling/identify/lscf.h"
 #include "core/milling/identify/modal_band.h"
@@ -23,7 +24,7 @@ constexpr double kLargestDamping = 0.3;
 constexpr double kPoorCoherence = 0.8;
 
 Status checkOptions(const Frf& frf, const ModalOptions& o) {
-  const auto bad = [&](Message what) { return Error{frf.source, what}; };
+  const auto bad = [&](Message what) { return Error{frf.source, std::move(what)}; };
   if (!std::isfinite(o.from) || !std::isfinite(o.to) || o.from < 0.0 || o.to < 0.0)
     return bad(message("the band is no band"));
   if (o.from > 0.0 && o.to > 0.0 && o.to <= o.from) return bad(message("the band ends before it begins"));

@@ -179,6 +179,7 @@ std::array<std::span<const double>, 3> thrice(const std::vector<double>& v) {
 TEST(MeanForce, WholeRevolutionsOnly) {
   // 10.5 turns of a wave: its mean over 10 is its offset.
   std::vector<double> v;
+  v.reserve(1050);
   for (int i = 0; i < 1050; ++i) v.push_back(5.0 + 100.0 * std::sin(kTwoPi * i / 100.0 + 0.3));
   const auto m = meanOverRevolutions(thrice(v), 10000.0, Rpm(6000.0), 1e-4, "t");
   ASSERT_TRUE(m.ok()) << m.error().line();
@@ -191,6 +192,7 @@ TEST(MeanForce, StandardErrorOfNoiseAndOfDrift) {
   std::mt19937 random(5);
   std::normal_distribution<double> gauss(0.0, 10.0);
   std::vector<double> v;
+  v.reserve(100 * 200);
   for (int i = 0; i < 100 * 200; ++i) v.push_back(gauss(random));
   const auto noise = meanOverRevolutions(thrice(v), 10000.0, Rpm(6000.0), 1e-4, "t");
   ASSERT_TRUE(noise.ok());

@@ -90,6 +90,7 @@ TEST(Lscf, EveryPoleIsPhysical) {
 // Tracks: a pole goes on within 1 % and 10 %, and the most seen comes first.
 TEST(StablePoles, ATrackGoesOnWhileItStaysPut) {
   std::vector<std::vector<ModalPole>> byOrder;
+  byOrder.reserve(10);
   for (int i = 0; i < 10; ++i) {
     byOrder.push_back({{1000.0 + i, 0.02}, {i % 2 == 0 ? 500.0 : 700.0, 0.05}});
   }
