@@ -41,6 +41,8 @@ class Lock {
       if (file_ >= 0) ::fchmod(file_, 0666);  // another user's program asks as well
     }
     taken_ = file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) == 0;
+    // A file system without locks refuses everybody: no other program holds it there.
+    if (file_ >= 0 && !taken_ && errno != EWOULDBLOCK) ::close(std::exchange(file_, -1));
     if (taken_ && ::ftruncate(file_, 0) == 0) {
       const std::string process = std::to_string(::getpid());
       (void)!::pwrite(file_, process.data(), process.size(), 0);
