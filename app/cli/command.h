@@ -25,6 +25,7 @@ void addModal(CLI::App& app, int& exitCode);
 void addCouple(CLI::App& app, int& exitCode);
 void addCoefficients(CLI::App& app, int& exitCode);
 void addLobes(CLI::App& app, int& exitCode);
+void addAdvise(CLI::App& app, int& exitCode);
 void addConvert(CLI::App& app, int& exitCode);
 void addDevices(CLI::App& app, int& exitCode);
 void addScore(CLI::App& app, int& exitCode);

@@ -1,16 +1,15 @@
-// stillcut-cli lobes CASE.toml [--method zoa|sdm|exact] [--k N] [--order 0|1] [--speeds FROM:TO:STEP]
-//                    [--max-depth MM] [--threads N] [--modes MODES.toml]... [--material MATERIAL.toml] [--json]
-//                    [--out OUT.csv]
+// stillcut-cli lobes FILE [--method zoa|sdm|exact] [--k N] [--order 0|1] [--speeds FROM:TO:STEP]
+//                    [--max-depth MM] [--threads N] [--modes MODES.toml]... [--material MATERIAL.toml]
+//                    [--engagement START:EXIT | --offset MM] [--json] [--out OUT.csv]
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 
-#include "app/cli/command.h"
+#include "app/cli/cut_options.h"
 #include "app/cli/out_path.h"
-#include "core/milling/identify/model_files.h"
-#include "core/milling/stability/lobe_case.h"
+#include "core/milling/stability/limit_band.h"
 #include "core/milling/stability/lobe_csv.h"
 #include "core/milling/stability/lobe_sweep.h"
 
@@ -20,35 +19,16 @@ namespace {
 using namespace milling;
 
 struct LobesCommand {
-  std::string file, out, speeds, material;
-  std::vector<std::string> modes;
+  CutOptions cut;
+  std::string out, speeds;
   std::string method = "exact";
   int cells = 40;
   int order = 1;
   int threads = 2;
-  double maxDepthMm = 0.0;  // 0: the case's
+  double maxDepthMm = 0.0;     // 0: the case's
+  std::vector<double> spread;  // [%] of frequency, damping, stiffness, force; empty: no band
   bool json = false;
 };
-
-// What `modal` and `coefficients` wrote, several files of modes together (one for each axis hit).
-Result<ModelParts> readParts(const LobesCommand& c) {
-  ModelParts parts;
-  for (const std::string& file : c.modes) {
-    const auto modes = identify::loadModes(file);
-    if (!modes) return modes.error();
-    for (const identify::IdentifiedMode& m : modes->modes) {
-      parts.modes.push_back(m.mode);
-      if (m.caveat.empty()) continue;
-      std::fprintf(stderr, "warning: %s: the mode at %.0f Hz %s\n", file.c_str(), m.mode.frequency.value,
-                   m.caveat.c_str());
-    }
-  }
-  if (c.material.empty()) return parts;
-  const auto material = identify::loadMaterial(c.material);
-  if (!material) return material.error();
-  parts.material = material->material;
-  return parts;
-}
 
 // "5000:25000:100"
 Result<std::vector<Rpm>> readSpeeds(const std::string& text) {
@@ -77,29 +57,39 @@ Result<std::vector<Rpm>> usualSpeeds(const CutModel& model) {
   return speedSteps(Rpm(from), Rpm(std::max(from, to)), Rpm(step), "speeds");
 }
 
+Result<LimitBands> bandsOf(const LobesCommand& c, const CutFile& cut, const std::vector<Rpm>& speeds, Metres deepest) {
+  if (c.spread.empty()) return LimitBands{};
+  if (c.spread.size() != 4) {
+    return Error{"--spread", message("needs four numbers"), message("FREQUENCY,DAMPING,STIFFNESS,FORCE in percent")};
+  }
+  if (c.method != "exact") return Error{"--spread", message("bands are of the exact method")};
+  const ModelSpread spread{0.01 * c.spread[0], 0.01 * c.spread[1], 0.01 * c.spread[2], 0.01 * c.spread[3]};
+  return limitBands(cut.model, speeds, deepest, spread, c.threads, "--spread");
+}
+
 int run(const LobesCommand& c) {
-  if (const Status usable = checkOutPath(c.out, c.file); !usable) return fail(usable.error());
-  const auto parts = readParts(c);
-  if (!parts) return fail(parts.error());
-  const auto lobeCase = loadLobeCase(c.file, *parts);
-  if (!lobeCase) return fail(lobeCase.error());
-  const auto speeds = c.speeds.empty() ? usualSpeeds(lobeCase->model) : readSpeeds(c.speeds);
+  if (const Status usable = checkOutPath(c.out, c.cut.file); !usable) return fail(usable.error());
+  const auto cut = readCut(c.cut);
+  if (!cut) return fail(cut.error());
+  const auto speeds = c.speeds.empty() ? usualSpeeds(cut->model) : readSpeeds(c.speeds);
   if (!speeds) return fail(speeds.error());
   SweepOptions options;
   options.method = c.method == "zoa"   ? LobeMethod::ZerothOrder
                    : c.method == "sdm" ? LobeMethod::SemiDiscretization
                                        : LobeMethod::Exact;
-  options.limits.maxAxialDepth = c.maxDepthMm > 0.0 ? Metres(1e-3 * c.maxDepthMm) : lobeCase->maxAxialDepth;
+  options.limits.maxAxialDepth = c.maxDepthMm > 0.0 ? Metres(1e-3 * c.maxDepthMm) : cut->maxAxialDepth;
   options.sdm = {c.cells, c.order};
   options.threads = c.threads;
-  const auto sweep = sweepLobes(lobeCase->model, *speeds, options, c.file);
+  const auto sweep = sweepLobes(cut->model, *speeds, options, c.cut.file);
   if (!sweep) return fail(sweep.error());
   for (const Message& warning : sweep->warnings) std::fprintf(stderr, "warning: %s\n", text(warning).c_str());
+  const auto bands = bandsOf(c, *cut, *speeds, options.limits.maxAxialDepth);
+  if (!bands) return fail(bands.error());
   if (!c.out.empty()) {
-    if (const Status saved = saveLobeCsv(*sweep, c.out); !saved) return fail(saved.error());
+    if (const Status saved = saveLobeCsv(*sweep, c.out, bands->speeds); !saved) return fail(saved.error());
   }
   if (c.json || c.out.empty())
-    std::fputs((c.json ? lobeJson(*sweep, lobeCase->name) : lobeCsv(*sweep)).c_str(), stdout);
+    std::fputs((c.json ? lobeJson(*sweep, cut->name, bands->speeds) : lobeCsv(*sweep, bands->speeds)).c_str(), stdout);
   // Beside a table on stdout the words go to stderr.
   for (const std::string& line : lobeSummary(*sweep)) {
     std::fprintf(c.json || c.out.empty() ? stderr : stdout, "%s\n", line.c_str());
@@ -112,7 +102,7 @@ int run(const LobesCommand& c) {
 void addLobes(CLI::App& app, int& exitCode) {
   auto c = std::make_shared<LobesCommand>();
   CLI::App* sub = app.add_subcommand("lobes", "Stability limits of a cut over the spindle speed");
-  sub->add_option("CASE", c->file, "The cut, .toml (or a reference case, .json)")->required();
+  addCutOptions(*sub, c->cut);
   sub->add_option("--method", c->method, "zoa (zeroth order), sdm (semi-discretization) or exact")
       ->check(CLI::IsMember({"zoa", "sdm", "exact"}));
   sub->add_option("--k", c->cells, "Cells per tooth period, for sdm");
@@ -120,8 +110,9 @@ void addLobes(CLI::App& app, int& exitCode) {
   sub->add_option("--speeds", c->speeds, "FROM:TO:STEP [rev/min], TO included; left out: the modes' lobes");
   sub->add_option("--max-depth", c->maxDepthMm, "Deepest cut looked at [mm]; left out: the case's")
       ->check(CLI::PositiveNumber);
-  sub->add_option("--modes", c->modes, "Modes that `modal` wrote, instead of the case's; once for each axis");
-  sub->add_option("--material", c->material, "Coefficients that `coefficients` wrote, instead of the case's");
+  sub->add_option("--spread", c->spread,
+                  "FREQUENCY,DAMPING,STIFFNESS,FORCE: standard deviations of the model [%]; adds the band of the limit")
+      ->delimiter(',');
   sub->add_flag("--json", c->json, "Print JSON: limits with the depth searched, whether verified, and the warnings");
   sub->add_option("--threads", c->threads, "Threads to work with")->check(CLI::Range(1, 64));
   sub->add_option("--out", c->out, "Write the table to OUT.csv instead of printing it");

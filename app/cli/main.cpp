@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
   addCouple(app, exitCode);
   addCoefficients(app, exitCode);
   addLobes(app, exitCode);
+  addAdvise(app, exitCode);
   addConvert(app, exitCode);
   addDevices(app, exitCode);
   addScore(app, exitCode);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <complex>
 #include <cstdio>
 #include <filesystem>
@@ -146,6 +147,66 @@ TEST_F(IdentifiedLobes, ZerothOrderWarnsWhereverItsResultGoes) {
       EXPECT_THAT(json::parse(outcome.out)["warnings"][0].get<std::string>(), HasSubstr("zeroth order"));
     }
   }
+}
+
+constexpr const char* kScenarioRest = "name = \"cut\"\nexpect = \"hold\"\n";
+constexpr const char* kProgramme =
+    "[programme]\nspeed_rpm = 10000.0\nfeed_per_tooth_mm = 0.1\nduration_s = 1.0\n[programme.depth_mm]\n"
+    "[[programme.depth_mm.segment]]\nfrom = 0.0\nto = 1.0\nvalue = 1.5\n"
+    "[overrides]\nspeed_percent = [80.0, 120.0]\n[sampling]\nrate_hz = 25600.0\n"
+    "[[sensor]]\nname = \"y\"\nquantity = \"displacement\"\naxis = \"y\"\n";
+constexpr const char* kToolAlone =
+    "[tool]\nteeth = 2\ndiameter_mm = 10.0\n[engagement]\nradial_immersion = 0.5\nside = \"up\"\n";
+
+TEST_F(IdentifiedLobes, AdviceIsTheSameForCaseScenarioAndProfile) {
+  folder_.file("case.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
+  folder_.file("scenario.toml", std::string(kScenarioRest) + kTrueMode + kToolAlone + kAluminium + kProgramme);
+  folder_.file("profile.toml",
+               "version = 1\nmachine = \"Mill\"\n[tool]\nteeth = 2\n[cut]\nspeed_rpm = 10000\nfeed_mm_min = "
+               "2000\nmodel = \"case.toml\"\n"
+               "depth_mm = 1.5\n");
+  const auto pockets = [&](std::vector<std::string> arguments) { return json::parse(run(arguments)).at("pockets"); };
+  const std::vector<std::string> asked{"--speeds", "8000:12000", "--json"};
+  const auto with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), asked.begin(), asked.end());
+    return pockets(arguments);
+  };
+  const json ofCase = with({"advise", "case.toml", "--depth", "1.5", "--feed", "0.1"});
+  ASSERT_FALSE(ofCase.empty());
+  EXPECT_EQ(ofCase, with({"advise", "scenario.toml"}));
+  EXPECT_EQ(ofCase.size(), with({"advise", "profile.toml"}).size());
+  EXPECT_EQ(ofCase[0].at("from_rpm"), with({"advise", "profile.toml"})[0].at("from_rpm"));
+  EXPECT_EQ(ofCase, pockets({"advise", "scenario.toml", "--json"})) << "80 to 120 % of 10000 is the same range";
+  // What is stable at the edges and beyond is what `lobes` says of all three.
+  for (const char* file : {"case.toml", "scenario.toml", "profile.toml"}) {
+    const std::string table = run({"lobes", file, "--speeds", "9000:11000:500", "--max-depth", "10"});
+    EXPECT_EQ(table, run({"lobes", "case.toml", "--speeds", "9000:11000:500", "--max-depth", "10"}));
+  }
+}
+
+TEST_F(IdentifiedLobes, AdviceThatIsNotPossibleIsOneLine) {
+  folder_.file("case.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
+  for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
+           {"advise", "case.toml"},
+           {"advise", "case.toml", "--depth", "1"},
+           {"advise", "case.toml", "--depth", "1", "--speeds", "9000"},
+           {"advise", "case.toml", "--depth", "1", "--speeds", "9000:8000"},
+           {"advise", "case.toml", "--depth", "1", "--speeds", "1:8000"},
+           {"advise", "case.toml", "--depth", "1", "--speeds", "8000:9000", "--engagement", "90:20"},
+           {"advise", "case.toml", "--depth", "1", "--speeds", "8000:9000", "--offset", "4"},
+           {"advise", "nowhere.toml", "--depth", "1", "--speeds", "8000:9000"},
+           {"lobes", "case.toml", "--spread", "1,2"}}) {
+    const Outcome outcome = runCli(folder_ / "", bad);
+    EXPECT_EQ(outcome.exitCode, 2) << spelled(bad);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST_F(IdentifiedLobes, WhereNoSpeedIsStableTheDeepestCutIsSaid) {
+  folder_.file("case.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
+  const std::string said = run({"advise", "case.toml", "--depth", "8", "--speeds", "8000:9000"});
+  EXPECT_THAT(said, HasSubstr("no speed from 8000 to 9000 rev/min is stable at 8 mm"));
+  EXPECT_THAT(said, HasSubstr("the deepest stable cut is"));
 }
 
 }  // namespace

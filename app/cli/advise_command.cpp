@@ -1,0 +1,162 @@
+// stillcut-cli advise FILE [--depth MM] [--speeds FROM:TO] [--feed MM] [--cutting-speed M_PER_MIN] [--json]
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/cut_options.h"
+#include "core/milling/stability/advice.h"
+
+namespace stillcut::app {
+namespace {
+
+using namespace milling;
+
+struct AdviseCommand {
+  CutOptions cut;
+  std::string speeds;
+  double depthMm = 0.0, feedMm = 0.0, cuttingSpeed = 0.0;  // 0: what the file says
+  int threads = 2;
+  bool json = false;
+};
+
+Result<AdviceRequest> requestOf(const AdviseCommand& c, const CutFile& cut) {
+  AdviceRequest request;
+  request.depth = c.depthMm > 0.0 ? Metres(1e-3 * c.depthMm) : cut.depth;
+  request.feedPerTooth = c.feedMm > 0.0 ? Metres(1e-3 * c.feedMm) : cut.feedPerTooth;
+  request.lowest = cut.lowest;
+  request.highest = cut.highest;
+  request.threads = c.threads;
+  if (c.cuttingSpeed > 0.0) request.cuttingSpeed = c.cuttingSpeed;
+  if (!(request.depth.value > 0.0)) {
+    return Error{c.cut.file, message("does not say how deep the cut is"), message("give --depth MM")};
+  }
+  if (c.speeds.empty()) {
+    if (request.highest > request.lowest) return request;
+    return Error{c.cut.file, message("does not say which speeds are possible"), message("give --speeds FROM:TO")};
+  }
+  const std::vector<std::string> parts = CLI::detail::split(c.speeds, ':');
+  const bool read = parts.size() == 2 && CLI::detail::lexical_cast(parts[0], request.lowest.value) &&
+                    CLI::detail::lexical_cast(parts[1], request.highest.value);
+  if (!read || !(request.lowest.value > 0.0) || !(request.highest > request.lowest)) {
+    return Error{"--speeds", message("'%1' is no range", c.speeds), message("FROM:TO in rev/min, as 3000:8000")};
+  }
+  return request;
+}
+
+// The wall that exists, the worse one of a slot.
+double wallError(const ForcedVibration& forced) {
+  double worst = 0.0;
+  for (const auto& wall : {forced.upWall, forced.downWall}) {
+    if (!wall) continue;
+    for (Metres error : {wall->least, wall->greatest}) {
+      if (std::abs(error.value) > std::abs(worst)) worst = error.value;
+    }
+  }
+  return worst;
+}
+
+nlohmann::json asJson(const ForcedVibration& forced) {
+  nlohmann::json j{{"acceleration_m_s2", forced.acceleration}, {"displacement_um", 1e6 * forced.displacement}};
+  if (forced.upWall) {
+    j["up_wall_um"] = {1e6 * forced.upWall->least.value, 1e6 * forced.upWall->greatest.value};
+  }
+  if (forced.downWall) {
+    j["down_wall_um"] = {1e6 * forced.downWall->least.value, 1e6 * forced.downWall->greatest.value};
+  }
+  return j;
+}
+
+nlohmann::json asJson(const SpeedAdvice& advice, const AdviceRequest& request, const CutFile& cut) {
+  using nlohmann::json;
+  json all{{"case", cut.name},
+           {"depth_mm", 1e3 * request.depth.value},
+           {"lowest_rpm", request.lowest.value},
+           {"highest_rpm", advice.highest.value},
+           {"pockets", json::array()},
+           {"warnings", json::array()}};
+  for (const SpeedPocket& p : advice.pockets) {
+    json pocket{{"from_rpm", p.from.speed.value},  {"to_rpm", p.to.speed.value}, {"best_rpm", p.best.value},
+                {"limit_mm", 1e3 * p.limit.value}, {"margin", p.margin},         {"width", p.width}};
+    if (p.from.frequency.value > 0.0) pocket["chatter_below_hz"] = p.from.frequency.value;
+    if (p.to.frequency.value > 0.0) pocket["chatter_above_hz"] = p.to.frequency.value;
+    if (p.removal > 0.0) pocket["removal_cm3_per_min"] = 6e7 * p.removal;
+    if (p.forced) pocket["forced"] = asJson(*p.forced);
+    if (p.quietest) {
+      pocket["quietest"] = asJson(p.quietest->forced);
+      pocket["quietest"]["speed_rpm"] = p.quietest->speed.value;
+      pocket["quietest"]["limit_mm"] = 1e3 * p.quietest->limit.value;
+    }
+    all["pockets"].push_back(std::move(pocket));
+  }
+  if (advice.deepest) {
+    all["deepest"] = {{"speed_rpm", advice.deepest->speed.value},
+                      {"depth_mm", 1e3 * advice.deepest->depth.value},
+                      {"chatter_hz", advice.deepest->frequency.value}};
+  }
+  for (const Message& warning : advice.warnings) all["warnings"].push_back(text(warning));
+  return all;
+}
+
+// Whole speeds that still lie inside.
+void print(const SpeedAdvice& advice, const AdviceRequest& request) {
+  const double depth = 1e3 * request.depth.value;
+  for (const SpeedPocket& p : advice.pockets) {
+    std::printf("%.0f to %.0f rev/min is stable at %.4g mm; best %.0f: up to %.3g mm", std::ceil(p.from.speed.value),
+                std::floor(p.to.speed.value), depth, p.best.value, 1e3 * p.limit.value);
+    if (p.removal > 0.0) std::printf(", %.3g cm3/min", 6e7 * p.removal);
+    if (p.forced) {
+      std::printf(", vibration %.3g m/s2, wall off by %.2g um", p.forced->acceleration, 1e6 * wallError(*p.forced));
+    }
+    if (p.quietest) {
+      std::printf("; quietest %.0f: up to %.3g mm, vibration %.3g m/s2, wall off by %.2g um", p.quietest->speed.value,
+                  1e3 * p.quietest->limit.value, p.quietest->forced.acceleration, 1e6 * wallError(p.quietest->forced));
+    }
+    std::printf("\n");
+  }
+  if (!advice.pockets.empty()) return;
+  std::printf("no speed from %.0f to %.0f rev/min is stable at %.4g mm", request.lowest.value, advice.highest.value,
+              depth);
+  if (advice.deepest) {
+    std::printf("; the deepest stable cut is %.3g mm at %.0f rev/min (chatter at %.0f Hz above it)",
+                1e3 * advice.deepest->depth.value, advice.deepest->speed.value, advice.deepest->frequency.value);
+  }
+  std::printf("\n");
+}
+
+int run(const AdviseCommand& c) {
+  const auto cut = readCut(c.cut);
+  if (!cut) return fail(cut.error());
+  const auto request = requestOf(c, *cut);
+  if (!request) return fail(request.error());
+  const auto advice = adviseSpeeds(cut->model, *request, c.cut.file);
+  if (!advice) return fail(advice.error());
+  for (const Message& warning : advice->warnings) std::fprintf(stderr, "warning: %s\n", text(warning).c_str());
+  if (c.json) {
+    std::printf("%s\n",
+                asJson(*advice, *request, *cut).dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  } else {
+    print(*advice, *request);
+  }
+  return kExitDone;
+}
+
+}  // namespace
+
+void addAdvise(CLI::App& app, int& exitCode) {
+  auto c = std::make_shared<AdviseCommand>();
+  CLI::App* sub = app.add_subcommand("advise", "Which spindle speeds are stable at a depth");
+  addCutOptions(*sub, c->cut);
+  sub->add_option("--depth", c->depthMm, "Axial depth of the cut [mm]; left out: the file's")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--speeds", c->speeds, "FROM:TO [rev/min]; left out: what the file's override reaches");
+  sub->add_option("--feed", c->feedMm, "Feed per tooth [mm], for the removal rate; left out: the file's")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--cutting-speed", c->cuttingSpeed, "Largest of the tool [m/min]")->check(CLI::PositiveNumber);
+  sub->add_flag("--json", c->json, "Print JSON");
+  sub->add_option("--threads", c->threads, "Threads to work with")->check(CLI::Range(1, 64));
+  sub->callback([c, &exitCode] { exitCode = run(*c); });
+}
+
+}  // namespace stillcut::app

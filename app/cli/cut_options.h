@@ -1,0 +1,24 @@
+// What `lobes` and `advise` are told about the cut: its file, what replaces parts of it, and its engagement.
+// Thread: one; set-up.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/cli/cut_file.h"
+
+namespace stillcut::app {
+
+struct CutOptions {
+  std::string file, material, engagement;
+  std::vector<std::string> modes;
+  double offsetMm = 0.0;
+  bool offsetGiven = false;
+};
+
+void addCutOptions(CLI::App& command, CutOptions& options);
+// The cut as file and options make it; warnings of the files go to stderr.
+Result<CutFile> readCut(const CutOptions& options);
+
+}  // namespace stillcut::app
