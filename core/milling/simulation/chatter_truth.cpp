@@ -16,6 +16,9 @@ constexpr double kClearlyLouder = 10.0;
 constexpr double kOverRatio = 0.1;   // below it chatter has ended
 constexpr double kMostRatio = 50.0;  // nearly everything is chatter: the difference of squares means little
 constexpr double kSureGrowth = 1.0;  // e-folds; a stable cut's disturbance may rise for a while after a change, less
+// A growth that beats dips below zero, above all at low immersion where a tooth touches for a moment only: less than
+// this is a beat, more an end.
+constexpr double kDip = 1.0;  // e-folds
 constexpr double kLeastGain = 0.3;
 constexpr double kNoiseGain = 2.449;   // of white noise: the root of 1 + 4 + 1
 constexpr double kUsualMemory = 0.5;   // [s]
@@ -112,10 +115,18 @@ double ChatterTruth::departed() const noexcept {
   return std::min(kMostRatio, std::sqrt(std::max(0.0, now * now - usual * usual)) / vibration);
 }
 
+// Sums the growth of a small disturbance since the cut became unstable.
+void ChatterTruth::grow(double folds) noexcept {
+  grown_ = std::max(0.0, grown_ + folds);
+  mostGrown_ = std::max(mostGrown_, grown_);
+  if (grown_ > 0.0 && grown_ > mostGrown_ - kDip) return;
+  grown_ = mostGrown_ = 0.0;
+}
+
 // How much of what was found is chatter.
 void ChatterTruth::count(const TruthSample& s, bool settled) noexcept {
   const double dt = s.time - lastTime_, forced = forced_.rms();
-  grown_ = s.growth > 0.0 && s.cutting ? grown_ + s.growth * dt : 0.0;
+  grow(s.cutting ? s.growth * dt : -std::numeric_limits<double>::infinity());
   if (grown_ > 0.0) liveGain_ = std::max(s.gain, kLeastGain);
   if (grown_ == 0.0 && most_ < kOverRatio) liveGain_ = kNoiseGain;
   flips_ = s.flips;
@@ -179,7 +190,7 @@ void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
     lastLog_ = s.time;
     log_.push_back({static_cast<float>(middle), static_cast<float>(raw), static_cast<float>(totalRms_),
                     static_cast<float>(meanHz_), static_cast<float>(s.path),
-                    static_cast<float>(repeats_ ? departed() : ratio_), settled && s.cutting && s.growth > 0.0,
+                    static_cast<float>(repeats_ ? departed() : ratio_), settled && s.cutting && grown_ > 0.0,
                     repeats_});
   }
 }

@@ -76,6 +76,7 @@ class ChatterTruth {
   double ratioAt(const LogEntry& e, Hertz chatter) const;
 
  private:
+  void grow(double folds) noexcept;
   void count(const TruthSample& s, bool settled) noexcept;
   void decide(const TruthSample& s, double middle, bool settled) noexcept;
   double usualVibration() const noexcept;
@@ -106,7 +107,7 @@ class ChatterTruth {
   std::size_t seen_ = 0, sinceCut_ = 0;
   double unsteadyUntil_ = 0.0, lastTime_ = 0.0, lastPath_ = 0.0, lastLog_ = -1.0;
   double ratio_ = 0.0, most_ = 0.0, counted_ = 0.0, totalRms_ = 0.0, peak_ = 0.0, marked_ = 0.0;
-  double grown_ = 0.0;  // of a small disturbance since the cut became unstable [e-folds]
+  double grown_ = 0.0, mostGrown_ = 0.0;  // of a small disturbance since the cut became unstable [e-folds]
   struct {
     double ratioSquare = 0.0;                 // of random forces, mean of late
     double vibration = 1.0, departure = 0.0;  // as multiples of the forced companion's vibration

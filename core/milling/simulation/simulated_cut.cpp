@@ -50,7 +50,7 @@ int forcedPeriods(const Tool& t) {
   const auto same = [](const auto& values) {
     return std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values.front(); });
   };
-  return same(t.pitch) && same(t.runout) ? t.teeth : 1;
+  return same(t.pitch) && same(t.runout) && same(t.toothHelix) ? t.teeth : 1;
 }
 
 Scenario withFlexure(Scenario s) {
