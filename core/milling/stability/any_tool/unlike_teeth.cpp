@@ -146,7 +146,7 @@ UnlikeTeeth::Sums UnlikeTeeth::sumsAt(double depth, int most) const {
   if (!pattern_.parallel) {
     const auto [low, high] = std::minmax_element(pattern_.trail.begin(), pattern_.trail.end());
     const double turns = most * r * depth * std::max(std::abs(*low), std::abs(*high));
-    heights = gaussPoints(std::min(200, 8 + static_cast<int>(0.6 * turns)));
+    heights = gaussPoints(std::min(200, 8 + static_cast<int>(0.55 * turns)));
   }
   for (int j = 0; j < teeth; ++j) {
     for (const GaussPoint& p : heights) sums.delays.push_back(pattern_.delayAngle(j, p.at * depth) / speed_);
@@ -223,7 +223,7 @@ Complex UnlikeTeeth::structure(double angle) const {
 
 bool UnlikeTeeth::sample(double depth, std::span<const double> angles, Fineness fineness, std::span<Complex> out,
                          WorkMeter& meter) const {
-  const int most = 2 * lines(fineness) + 2;
+  const int most = lines(fineness) + 2;
   const Sums sums = sumsAt(depth, most);
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const std::vector<Line> lines = linesAt(angles[i], fineness);
@@ -241,7 +241,7 @@ bool UnlikeTeeth::sampleDepths(std::span<const double> depths, std::span<const d
   if (!pattern_.straight || damping_ > 0.0 || depths.size() < kWorthIt)
     return CircleFunction::sampleDepths(depths, angles, rows, meter);
   rows.assign(depths.size(), std::vector<Complex>(angles.size()));
-  const Sums sums = sumsAt(1.0, 2 * lines(Fineness::Rough) + 2);
+  const Sums sums = sumsAt(1.0, lines(Fineness::Rough) + 2);
   Eigen::MatrixXcd work;
   for (std::size_t i = 0; i < angles.size(); ++i) {
     Eigen::MatrixXcd matrix = matrixAt(linesAt(angles[i], Fineness::Rough), sums, 1.0);
@@ -261,7 +261,7 @@ Hertz UnlikeTeeth::chatterFrequency(double angle, double depth, WorkMeter& meter
   const std::vector<Line> lines = linesAt(angle, Fineness::Rough);
   const auto size = static_cast<double>(lines.size()) * straight_.axes;
   if (!meter.proceed(8.0 * size * size * size)) return Hertz(0.0);
-  const Sums sums = sumsAt(depth, 2 * static_cast<int>(lines.size()) + 2);
+  const Sums sums = sumsAt(depth, static_cast<int>(lines.size()));
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(matrixAt(lines, sums, depth));
   Eigen::VectorXcd motion = Eigen::VectorXcd::Ones(lu.rows());
   for (int i = 0; i < 3; ++i) motion = lu.solve(motion).normalized().eval();
