@@ -188,7 +188,7 @@ class MatListing {
     for (std::size_t i = 0; i < fields; ++i) {
       matvar_t* field = Mat_VarGetStructFieldByIndex(v.get(), i, 0);
       if (field == nullptr || field->name == nullptr) continue;
-      if (const Status s = take(Variable(v, field), path + "." + field->name, depth + 1); !s) return s;
+      if (Status s = take(Variable(v, field), path + "." + field->name, depth + 1); !s) return s;
     }
     return Done{};
   }
