@@ -46,7 +46,10 @@ void InterventionList::display(const std::vector<CardView>& cards, const EventLi
   if (cards == cards_ && event == event_ && live == live_ && alarming == alarming_ && answerable == answerable_) return;
   const bool newAlarm =
       (alarming && !alarming_) || (!cards.empty() && (cards_.empty() || cards.front().number != cards_.front().number));
-  if (newAlarm) judgement_ = Judgement::None;
+  if (newAlarm) {
+    judgement_ = Judgement::None;
+    judgedForGood_ = false;
+  }
   cards_ = cards;
   event_ = event;
   // Stays pressed until the alarm comes or another picture does: that is what the touch asked for.
@@ -65,6 +68,7 @@ void InterventionList::display(const std::vector<CardView>& cards, const EventLi
 void InterventionList::judge(Judgement touched) {
   if (judgement_ != Judgement::None) emit asked({OperatorAction::UndoMark, Authority::Off});
   judgement_ = touched == judgement_ ? Judgement::None : touched;
+  heard_ = false;  // for good as well
   if (judgement_ != Judgement::None) {
     const bool wasChatter = judgement_ == Judgement::True;
     emit asked({wasChatter ? OperatorAction::TrueAlarm : OperatorAction::FalseAlarm, Authority::Off});
@@ -72,15 +76,16 @@ void InterventionList::judge(Judgement touched) {
   showJudgement();
 }
 
-// Only the newest mark can be taken back: one of an alarm is over with a mark of what no alarm told of.
+// Only the newest mark can be taken back: a judgement of the alarm before is for good from now on.
 void InterventionList::hear() {
+  judgedForGood_ = judgedForGood_ || judgement_ != Judgement::None;
   emit asked({heard_ ? OperatorAction::UndoMark : OperatorAction::ReportChatter, Authority::Off});
   heard_ = !heard_;
   showJudgement();
 }
 
 void InterventionList::showJudgement() {
-  const bool judgeable = answerable_ && (alarming_ || !cards_.empty());
+  const bool judgeable = answerable_ && !judgedForGood_ && (alarming_ || !cards_.empty());
   wasTrue_->setEnabled(judgeable);
   wasFalse_->setEnabled(judgeable);
   wasTrue_->setChecked(judgement_ == Judgement::True);

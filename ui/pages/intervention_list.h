@@ -59,6 +59,7 @@ class InterventionList : public QWidget, public Themed {
   bool clipped_ = false;
   Judgement judgement_ = Judgement::None;  // of the newest alarm; one mark of it stands at most
   bool heard_ = false;
+  bool judgedForGood_ = false;  // another mark came after it, and only the newest can be taken back
 };
 
 }  // namespace stillcut::ui

@@ -102,7 +102,7 @@ TEST_F(RecordedDesktop, MarksByKeyDuringTheCutAreFoundInTheFile) {
   ASSERT_TRUE(runUntil([](const Snapshot& s) { return s.interventionCount > 0; }))
       << "the demonstration never chattered";
   ASSERT_TRUE(runFor(0.3));
-  const Instant wasTrue = strike(Qt::Key_F9);
+  strike(Qt::Key_F9);
   ASSERT_TRUE(runFor(0.3));
   const Instant wasFalse = strike(Qt::Key_F10);
   ASSERT_TRUE(runFor(0.2));
@@ -110,12 +110,11 @@ TEST_F(RecordedDesktop, MarksByKeyDuringTheCutAreFoundInTheFile) {
 
   const auto markers = record::readMarkers(path_);
   ASSERT_TRUE(markers.ok()) << markers.error().line();
-  ASSERT_EQ(markers->size(), 3U);
+  ASSERT_EQ(markers->size(), 2U) << "the second word on one alarm takes the place of the first";
   const CutSetup& setup = session_->info().setup;
   const double block = setup.blockFrames / setup.rate.value;
-  const std::pair<const char*, Instant> struck[] = {
-      {kLabelOperatorChatter, heard}, {kLabelTrueAlarm, wasTrue}, {kLabelFalseAlarm, wasFalse}};
-  for (std::size_t i = 0; i < 3; ++i) {
+  const std::pair<const char*, Instant> struck[] = {{kLabelOperatorChatter, heard}, {kLabelFalseAlarm, wasFalse}};
+  for (std::size_t i = 0; i < 2; ++i) {
     const Marker& marker = markers.value()[i];
     EXPECT_EQ(marker.label, struck[i].first);
     EXPECT_EQ(marker.begin, marker.end);

@@ -209,6 +209,21 @@ TEST_F(Operate, AMarkOfAnAlarmIsTakenBackByTheSameTouchAndReplacedByTheOther) {
   EXPECT_TRUE(find<TouchButton>("was-true")->hint().contains(clockTime(session_.info().wallMs(began))));
 }
 
+TEST_F(Operate, OnlyTheNewestMarkCanBeTakenBack) {
+  open();
+  play(1);
+  press("was-true");  // of the alarm before
+  press("hear");
+  EXPECT_FALSE(enabled("was-true")) << "it is older than the mark of now";
+  press("was-false");
+  EXPECT_EQ(lastSent().action, OperatorAction::ReportChatter);
+  press("hear");
+  EXPECT_EQ(lastSent().action, OperatorAction::UndoMark);
+  EXPECT_FALSE(enabled("was-false"));
+  playToChatter();
+  EXPECT_TRUE(enabled("was-false")) << "another alarm";
+}
+
 TEST_F(Operate, EscClosesWhatIsOnTopAndNeverMovesTheMachine) {
   session_.mutableInfo().machineWatchdog = false;
   open();
