@@ -31,7 +31,6 @@ class StandingAdvice {
   const SpeedAdvice& look(const StrategyInput& input, const OverrideRequest& asked);
   // What the operator is asked to accept goes before what would be said.
   const SpeedAdvice& take(const OverrideRequest& pending, const MachineState& machine);
-  const SpeedAdvice& advice() const { return advice_; }
 
  private:
   void watchCut(const StrategyInput& input);
