@@ -2288,10 +2288,6 @@
         <translation>kann nicht mit fester Rate liefern</translation>
     </message>
     <message>
-        <source>channels of one recording are of one length</source>
-        <translation>Kanäle einer Aufzeichnung sind gleich lang</translation>
-    </message>
-    <message>
         <source>channels, block length or rate</source>
         <translation>Kanäle, Blocklänge oder Rate</translation>
     </message>
@@ -2504,16 +2500,8 @@
         <translation>hat %1 Spalten, wo %2 erwartet wurden</translation>
     </message>
     <message>
-        <source>has %1 samples, those before %2</source>
-        <translation>hat %1 Werte, die davor %2</translation>
-    </message>
-    <message>
         <source>has a row of %1 numbers</source>
         <translation>hat eine Zeile mit %1 Zahlen</translation>
-    </message>
-    <message>
-        <source>has another sampling rate than those before</source>
-        <translation>hat eine andere Abtastrate als die davor</translation>
     </message>
     <message>
         <source>has different periods for input and output</source>
@@ -2594,10 +2582,6 @@
     <message>
         <source>header inconsistent</source>
         <translation>Kopf widersprüchlich</translation>
-    </message>
-    <message>
-        <source>helix angle (straight teeth assumed)</source>
-        <translation>Drallwinkel (gerade Zähne angenommen)</translation>
     </message>
     <message>
         <source>helix must lie within 80 degrees</source>
@@ -3148,10 +3132,6 @@
         <translation>verlässt, was eine Maschine kann</translation>
     </message>
     <message>
-        <source>left out: %1</source>
-        <translation>ausgelassen: %1</translation>
-    </message>
-    <message>
         <source>linearise the force at the mean chip thickness first</source>
         <translation>die Kraft zuerst bei der mittleren Spandicke linearisieren</translation>
     </message>
@@ -3344,10 +3324,6 @@
         <translation>nur %1 % des Gehörten ist ein Ton bei %2 Hz</translation>
     </message>
     <message>
-        <source>only HDF5 and MATLAB files have places inside</source>
-        <translation>nur HDF5- und MATLAB-Dateien haben Orte darin</translation>
-    </message>
-    <message>
         <source>only Stillcut sessions say how they were made</source>
         <translation>nur Stillcut-Sitzungen sagen, wie sie entstanden</translation>
     </message>
@@ -3394,10 +3370,6 @@
     <message>
         <source>point %1 is not finite</source>
         <translation>Punkt %1 ist nicht endlich</translation>
-    </message>
-    <message>
-        <source>process damping (limits at low speed are too low)</source>
-        <translation>Prozessdämpfung (Grenzen bei kleiner Drehzahl sind zu niedrig)</translation>
     </message>
     <message>
         <source>profile version %1 is newer than this program</source>
@@ -3508,10 +3480,6 @@
         <translation>Einrichtung</translation>
     </message>
     <message>
-        <source>simulate a variable pitch instead</source>
-        <translation>ungleiche Teilung stattdessen simulieren</translation>
-    </message>
-    <message>
         <source>simulated machine</source>
         <translation>simulierte Maschine</translation>
     </message>
@@ -3542,10 +3510,6 @@
     <message>
         <source>stability lobes need a force exponent of 1</source>
         <translation>Stabilitätskarten brauchen den Kraftexponenten 1</translation>
-    </message>
-    <message>
-        <source>stability lobes need a regular pitch</source>
-        <translation>Stabilitätskarten brauchen gleiche Teilung</translation>
     </message>
     <message>
         <source>steps must be 8 to 5000</source>
@@ -3602,10 +3566,6 @@
     <message>
         <source>task</source>
         <translation>Aufgabe</translation>
-    </message>
-    <message>
-        <source>teeth must be 1 to 12, not %1</source>
-        <translation>1 bis 12 Zähne, nicht %1</translation>
     </message>
     <message>
         <source>the HDF5 file cannot be opened</source>
@@ -4072,10 +4032,6 @@
         <translation>in dieser Aufzeichnung geht es nicht zurück</translation>
     </message>
     <message>
-        <source>too large for a sample</source>
-        <translation>zu groß für einen Messwert</translation>
-    </message>
-    <message>
         <source>too short</source>
         <translation>zu kurz</translation>
     </message>
@@ -4222,10 +4178,6 @@
     <message>
         <source>found in the signal, and followed</source>
         <translation>im Signal gefunden und verfolgt</translation>
-    </message>
-    <message>
-        <source>Doubt of the speed</source>
-        <translation>Zweifel an der Drehzahl</translation>
     </message>
     <message>
         <source>no speed is known</source>
@@ -4619,6 +4571,338 @@
         <source>Sender password</source>
         <translation>Passwort am Sendeprogramm</translation>
     </message>
+    <message>
+        <source>Uncertainty of the speed</source>
+        <translation>Unsicherheit der Drehzahl</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows hold no number where one belongs and are missing; the first: %3</source>
+        <translation>in %1 von %2 Zeilen fehlt eine Zahl, sie gelten als Lücke; die erste: %3</translation>
+    </message>
+    <message>
+        <source>%1 rpm is too low for teeth that differ</source>
+        <translation>%1 1/min ist zu niedrig für ungleiche Zähne</translation>
+    </message>
+    <message>
+        <source>%1 spectral lines would be needed; %2 are possible</source>
+        <translation>%1 Spektrallinien wären nötig; %2 sind möglich</translation>
+    </message>
+    <message>
+        <source>%1; the machine before runs again, authority is Off</source>
+        <translation>%1; die Maschine davor läuft wieder, Befugnis ist Aus</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no row of numbers</source>
+        <translation>&apos;%1&apos; ist keine Zeile mit Zahlen</translation>
+    </message>
+    <message>
+        <source>a section of the tool has no length or no diameter</source>
+        <translation>ein Abschnitt des Werkzeugs hat keine Länge oder keinen Durchmesser</translation>
+    </message>
+    <message>
+        <source>a spread must lie between 0 and 50 %</source>
+        <translation>eine Streuung muss zwischen 0 und 50 % liegen</translation>
+    </message>
+    <message>
+        <source>channel &apos;%1&apos; is left out: %2 beside %3</source>
+        <translation>Kanal &apos;%1&apos; bleibt weg: %2 neben %3</translation>
+    </message>
+    <message>
+        <source>close it there, or run h5clear -s on a copy of it</source>
+        <translation>dort schließen oder h5clear -s auf eine Kopie anwenden</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; is left out: most of its cells hold no number</source>
+        <translation>Spalte &apos;%1&apos; bleibt weg: die meisten ihrer Zellen enthalten keine Zahl</translation>
+    </message>
+    <message>
+        <source>commas seem to be both decimal signs and delimiters</source>
+        <translation>Kommas scheinen zugleich Dezimal- und Trennzeichen zu sein</translation>
+    </message>
+    <message>
+        <source>convert it to WAV: ffmpeg -i FILE cut.wav</source>
+        <translation>in WAV umwandeln: ffmpeg -i FILE cut.wav</translation>
+    </message>
+    <message>
+        <source>export it as CSV, or write it as HDF5 in Python: %1</source>
+        <translation>als CSV exportieren oder in Python als HDF5 schreiben: %1</translation>
+    </message>
+    <message>
+        <source>export with decimal points and without signs between thousands</source>
+        <translation>mit Dezimalpunkten und ohne Tausendertrennzeichen exportieren</translation>
+    </message>
+    <message>
+        <source>export with decimal points, or with semicolons between the columns</source>
+        <translation>mit Dezimalpunkten exportieren oder mit Semikolons zwischen den Spalten</translation>
+    </message>
+    <message>
+        <source>has other lines than %1</source>
+        <translation>hat andere Linien als %1</translation>
+    </message>
+    <message>
+        <source>helix needs one angle per tooth</source>
+        <translation>der Drall braucht einen Winkel je Zahn</translation>
+    </message>
+    <message>
+        <source>holds %1 sound tracks, of which one is read</source>
+        <translation>enthält %1 Tonspuren, von denen eine gelesen wird</translation>
+    </message>
+    <message>
+        <source>holds a sample that is not a finite number</source>
+        <translation>enthält einen Abtastwert, der keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>holds no array of real numbers in one or two dimensions</source>
+        <translation>enthält kein Feld reeller Zahlen in einer oder zwei Dimensionen</translation>
+    </message>
+    <message>
+        <source>holds no line above 0 Hz</source>
+        <translation>enthält keine Linie über 0 Hz</translation>
+    </message>
+    <message>
+        <source>holds no sound track</source>
+        <translation>enthält keine Tonspur</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive above 4 GiB</source>
+        <translation>ist ein ZIP-Archiv über 4 GiB</translation>
+    </message>
+    <message>
+        <source>is a file of the format %1, which is not read</source>
+        <translation>ist eine Datei im Format %1, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>is a phone&apos;s or a camera&apos;s file, and this Stillcut was built without the decoder for them</source>
+        <translation>ist eine Datei eines Telefons oder einer Kamera, und dieses Stillcut wurde ohne den Decoder dafür gebaut</translation>
+    </message>
+    <message>
+        <source>is damaged %1 s from its beginning: what is before is read</source>
+        <translation>ist %1 s nach dem Anfang beschädigt: gelesen wird, was davor liegt</translation>
+    </message>
+    <message>
+        <source>it follows from the indentation coefficient and the wear land</source>
+        <translation>sie folgt aus dem Eindruckbeiwert und der Verschleißmarkenbreite</translation>
+    </message>
+    <message>
+        <source>it is not clear whether &apos;%1&apos; has a decimal comma or thousands set apart</source>
+        <translation>es ist nicht klar, ob &apos;%1&apos; ein Dezimalkomma oder abgetrennte Tausender hat</translation>
+    </message>
+    <message>
+        <source>its container cannot be read</source>
+        <translation>der Container kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its header says %1 Hz, its times %2 Hz, which are taken</source>
+        <translation>der Kopf sagt %1 Hz, die Zeiten %2 Hz, und diese gelten</translation>
+    </message>
+    <message>
+        <source>its sampling rate or number of channels changes within it</source>
+        <translation>Abtastrate oder Kanalzahl wechseln innerhalb der Datei</translation>
+    </message>
+    <message>
+        <source>its time has no unit and steps of %1</source>
+        <translation>die Zeit hat keine Einheit und Schritte von %1</translation>
+    </message>
+    <message>
+        <source>its times do not grow</source>
+        <translation>die Zeiten wachsen nicht</translation>
+    </message>
+    <message>
+        <source>line %1, the last, is cut off and left out</source>
+        <translation>Zeile %1, die letzte, ist abgeschnitten und bleibt weg</translation>
+    </message>
+    <message>
+        <source>measure both with the same sampling rate and length</source>
+        <translation>beide mit gleicher Abtastrate und Länge messen</translation>
+    </message>
+    <message>
+        <source>name every column</source>
+        <translation>jede Spalte benennen</translation>
+    </message>
+    <message>
+        <source>needs its distance from the face</source>
+        <translation>braucht den Abstand von der Stirnfläche</translation>
+    </message>
+    <message>
+        <source>needs the tool&apos;s diameter and stick-out</source>
+        <translation>braucht Durchmesser und Auskraglänge des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>no decoder for its sound track</source>
+        <translation>kein Decoder für die Tonspur</translation>
+    </message>
+    <message>
+        <source>no sample of its sound track can be decoded</source>
+        <translation>kein Abtastwert der Tonspur lässt sich dekodieren</translation>
+    </message>
+    <message>
+        <source>not enough memory</source>
+        <translation>zu wenig Speicher</translation>
+    </message>
+    <message>
+        <source>only HDF5, MATLAB and NumPy files have places inside</source>
+        <translation>nur HDF5-, MATLAB- und NumPy-Dateien haben Orte in sich</translation>
+    </message>
+    <message>
+        <source>open the .tdms file beside it</source>
+        <translation>die .tdms-Datei daneben öffnen</translation>
+    </message>
+    <message>
+        <source>open the recording that it was made from</source>
+        <translation>die Aufzeichnung öffnen, aus der sie entstand</translation>
+    </message>
+    <message>
+        <source>raise the lowest speed</source>
+        <translation>die kleinste Drehzahl anheben</translation>
+    </message>
+    <message>
+        <source>samples must be 8 to 1000</source>
+        <translation>die Zahl der Proben muss 8 bis 1000 sein</translation>
+    </message>
+    <message>
+        <source>save plain arrays with numpy.save or numpy.savez</source>
+        <translation>einfache Felder mit numpy.save oder numpy.savez speichern</translation>
+    </message>
+    <message>
+        <source>save the sheet as CSV</source>
+        <translation>das Blatt als CSV speichern</translation>
+    </message>
+    <message>
+        <source>semi-discretization needs teeth of one pitch and one helix</source>
+        <translation>die Semidiskretisierung braucht Zähne gleicher Teilung und gleichen Dralls</translation>
+    </message>
+    <message>
+        <source>semi-discretization with %1 cells is too coarse below %2 rpm: take %3 or more, or the exact method</source>
+        <translation>Semidiskretisierung mit %1 Zellen ist unter %2 1/min zu grob: %3 oder mehr nehmen, oder das genaue Verfahren</translation>
+    </message>
+    <message>
+        <source>some columns end after %1 of %2 rows, where the recording ends; --channel N reads one alone</source>
+        <translation>einige Spalten enden nach %1 von %2 Zeilen, dort endet die Aufzeichnung; --channel N liest eine allein</translation>
+    </message>
+    <message>
+        <source>take a smaller depth or other helix angles</source>
+        <translation>eine kleinere Tiefe oder andere Drallwinkel wählen</translation>
+    </message>
+    <message>
+        <source>teeth must be 1 to %1, not %2</source>
+        <translation>die Zähnezahl muss 1 bis %1 sein, nicht %2</translation>
+    </message>
+    <message>
+        <source>the HDF5 file was not closed by its writer</source>
+        <translation>die HDF5-Datei wurde von ihrem Schreiber nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>the ZIP archive is damaged</source>
+        <translation>das ZIP-Archiv ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the angles make it %1</source>
+        <translation>aus den Winkeln folgt %1</translation>
+    </message>
+    <message>
+        <source>the decoder cannot read it</source>
+        <translation>der Decoder kann sie nicht lesen</translation>
+    </message>
+    <message>
+        <source>the edges of two teeth meet at %1 mm</source>
+        <translation>die Schneiden zweier Zähne treffen sich bei %1 mm</translation>
+    </message>
+    <message>
+        <source>the exact method takes any</source>
+        <translation>das genaue Verfahren nimmt beliebige</translation>
+    </message>
+    <message>
+        <source>the exit angle must lie above the start angle</source>
+        <translation>der Austrittswinkel muss über dem Eintrittswinkel liegen</translation>
+    </message>
+    <message>
+        <source>the flutes are longer than the stick-out</source>
+        <translation>die Nuten sind länger als die Auskraglänge</translation>
+    </message>
+    <message>
+        <source>the flutes&apos; effective diameter must be 0.3 to 1 of the tool&apos;s</source>
+        <translation>der wirksame Durchmesser der Nuten muss das 0,3- bis 1-Fache des Werkzeugs sein</translation>
+    </message>
+    <message>
+        <source>the header does not say how much follows, as of a recorder that wrote into a pipe: all is read</source>
+        <translation>der Kopf sagt nicht, wie viel folgt, wie bei einem Rekorder, der in eine Pipe schrieb: alles wird gelesen</translation>
+    </message>
+    <message>
+        <source>the header&apos;s size is not true: it says %1 bytes, which is what 32 bits leave of %2, which are read</source>
+        <translation>die Größe im Kopf stimmt nicht: er sagt %1 Bytes, was 32 Bit von %2 übrig lassen, die gelesen werden</translation>
+    </message>
+    <message>
+        <source>the holder was measured with an exponential window: the damping is too high by %1 1/s</source>
+        <translation>der Halter wurde mit einem Exponentialfenster gemessen: die Dämpfung ist um %1 1/s zu hoch</translation>
+    </message>
+    <message>
+        <source>the holder&apos;s rotation was not measured and is left out: the tip is softer, and its frequencies are lower, than computed here; --cross measures it</source>
+        <translation>die Drehung des Halters wurde nicht gemessen und bleibt weg: die Spitze ist weicher und ihre Frequenzen sind niedriger als hier berechnet; --cross misst sie</translation>
+    </message>
+    <message>
+        <source>the speed range holds more lobes than can be looked at</source>
+        <translation>der Drehzahlbereich enthält mehr Keulen, als betrachtet werden können</translation>
+    </message>
+    <message>
+        <source>the tool needs 1 to 64 sections</source>
+        <translation>das Werkzeug braucht 1 bis 64 Abschnitte</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s material is none</source>
+        <translation>der Werkstoff des Werkzeugs ist keiner</translation>
+    </message>
+    <message>
+        <source>the unit &apos;%1&apos; of its time is not known</source>
+        <translation>die Einheit &apos;%1&apos; der Zeit ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the zeroth order leaves out process damping: its limits at low speed are too low</source>
+        <translation>die nullte Ordnung lässt die Prozessdämpfung weg: ihre Grenzen bei kleinen Drehzahlen sind zu niedrig</translation>
+    </message>
+    <message>
+        <source>the zeroth order needs teeth of one pitch and one helix</source>
+        <translation>die nullte Ordnung braucht Zähne gleicher Teilung und gleichen Dralls</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>unpack it, and open what is in it</source>
+        <translation>auspacken und öffnen, was darin ist</translation>
+    </message>
+    <message>
+        <source>was not closed by its writer: what that had written so far is read</source>
+        <translation>wurde von seinem Schreiber nicht geschlossen: gelesen wird, was bis dahin geschrieben war</translation>
+    </message>
+    <message>
+        <source>what is clamped does not count</source>
+        <translation>was gespannt ist, zählt nicht</translation>
+    </message>
+    <message>
+        <source>what stands below the rows is left out: %1</source>
+        <translation>was unter den Zeilen steht, bleibt weg: %1</translation>
+    </message>
+    <message>
+        <source>with decimal commas, export with semicolons between the columns</source>
+        <translation>bei Dezimalkommas mit Semikolons zwischen den Spalten exportieren</translation>
+    </message>
+    <message>
+        <source>with this offset a part of the cut lies beyond the tool</source>
+        <translation>bei diesem Versatz liegt ein Teil des Schnitts außerhalb des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>write it as CSV in Python: %1</source>
+        <translation>in Python als CSV schreiben: %1</translation>
+    </message>
+    <message>
+        <source>write s, ms, us or ns behind its name, or give --rate HZ</source>
+        <translation>s, ms, us oder ns hinter den Namen schreiben oder --rate HZ angeben</translation>
+    </message>
+    <message>
+        <source>write s, ms, us or ns, or give --rate HZ</source>
+        <translation>s, ms, us oder ns schreiben oder --rate HZ angeben</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>
@@ -4717,10 +5001,6 @@
     <message>
         <source>the spindle speed is not known</source>
         <translation>die Drehzahl ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>the number of teeth is not known</source>
-        <translation>die Zähnezahl ist nicht bekannt</translation>
     </message>
     <message>
         <source>samples are missing ({0.0} counted)</source>
@@ -4829,10 +5109,6 @@
     <message>
         <source>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</source>
         <translation>keine erreichbare Drehzahl ist in dieser Tiefe stabil, {1.2} mm bei {2.0} rpm wären es (Rattern {3.0} Hz)</translation>
-    </message>
-    <message>
-        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</source>
-        <translation>{0.0} Drehzahlen versucht, keine ist ruhig (Rattern {1.0} Hz): weniger Tiefe nehmen als dort, wo es begann, {2.0} mm Vorschub zuvor</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>
@@ -4971,10 +5247,6 @@
         <translation>Rattern bei {0.0} Hz, Energieanteil {1.2}</translation>
     </message>
     <message>
-        <source>quiet again after {0.2} s and {1.1} mm of feed</source>
-        <translation>nach {0.2} s und {1.1} mm Vorschub wieder ruhig</translation>
-    </message>
-    <message>
         <source>authority changed from {0.0} to {1.0}</source>
         <translation>Befugnis von {0.0} auf {1.0} geändert</translation>
     </message>
@@ -5067,10 +5339,6 @@
         <translation>{0.0} rpm würden gegen Rattern mit {3.0} Hz helfen, doch der Override reicht von {1.0} bis {2.0} rpm</translation>
     </message>
     <message>
-        <source>quiet, keeping {0.0} rpm that chatter of {1.0} Hz asked for</source>
-        <translation>ruhig, bleibt bei {0.0} rpm, die das Rattern mit {1.0} Hz verlangt hat</translation>
-    </message>
-    <message>
         <source>monitoring only, at {0.0} rpm and an energy ratio of {1.2}</source>
         <translation>nur Überwachung, bei {0.0} rpm und einem Energieverhältnis von {1.2}</translation>
     </message>
@@ -5081,10 +5349,6 @@
     <message>
         <source>verdict or machine state cannot be acted on, staying at {0.0} rpm</source>
         <translation>nach Urteil oder Maschinenzustand lässt sich nicht handeln, bleibt bei {0.0} rpm</translation>
-    </message>
-    <message>
-        <source>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
-        <translation>die Zähnezahl ist nicht bekannt, aus Rattern mit {0.0} Hz bei {1.0} rpm folgt keine Drehzahl</translation>
     </message>
     <message>
         <source>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</source>
@@ -5117,6 +5381,30 @@
     <message>
         <source>channel {0.0} delivers values that no sensor has</source>
         <translation>Kanal {0.0} liefert Werte, die kein Sensor hat</translation>
+    </message>
+    <message>
+        <source>the number of flutes is not known</source>
+        <translation>die Schneidenzahl ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>stable, keeping {0.0} rpm that chatter of {1.0} Hz asked for</source>
+        <translation>stabil, bleibt bei {0.0} U/min, die das Rattern mit {1.0} Hz verlangt hat</translation>
+    </message>
+    <message>
+        <source>{0.0} speeds tried and none is stable (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</source>
+        <translation>{0.0} Drehzahlen versucht, keine ist stabil (Rattern {1.0} Hz): weniger Zustellung nehmen als dort, wo es begann, {2.0} mm Vorschub zuvor</translation>
+    </message>
+    <message>
+        <source>stable again after {0.2} s and {1.1} mm of feed</source>
+        <translation>nach {0.2} s und {1.1} mm Vorschub wieder stabil</translation>
+    </message>
+    <message>
+        <source>the number of flutes is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
+        <translation>die Schneidenzahl ist nicht bekannt, aus Rattern mit {0.0} Hz bei {1.0} U/min folgt keine Drehzahl</translation>
+    </message>
+    <message>
+        <source>nothing was read from a machine yet</source>
+        <translation>von einer Maschine wurde noch nichts gelesen</translation>
     </message>
 </context>
 <context>
@@ -5176,6 +5464,14 @@
         <source>The run has ended</source>
         <translation>Der Lauf ist zu Ende</translation>
     </message>
+    <message>
+        <source>The run of %1 did not end in order; nothing of it was recorded</source>
+        <translation>Der Lauf vom %1 endete nicht ordentlich; von ihm ist nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>The run of %1 did not end in order; it is recorded in %2</source>
+        <translation>Der Lauf vom %1 endete nicht ordentlich; er ist aufgezeichnet in %2</translation>
+    </message>
 </context>
 <context>
     <name>Trial</name>
@@ -5233,14 +5529,6 @@
     <message>
         <source>ASKED FOR, NOT CONFIRMED BY THE MACHINE</source>
         <translation>VERLANGT, VON DER MASCHINE NICHT BESTÄTIGT</translation>
-    </message>
-    <message>
-        <source>IN FORCE, HELD BY YOU</source>
-        <translation>IN KRAFT, VON IHNEN GEHALTEN</translation>
-    </message>
-    <message>
-        <source>IN FORCE</source>
-        <translation>IN KRAFT</translation>
     </message>
     <message>
         <source>WHAT TO DO</source>
@@ -5395,14 +5683,6 @@
         <translation>%1, greift ein</translation>
     </message>
     <message>
-        <source>%1, not quieted</source>
-        <translation>%1, nicht beruhigt</translation>
-    </message>
-    <message>
-        <source>%1, quiet after %2, %3 marked</source>
-        <translation>%1, ruhig nach %2, %3 Marken</translation>
-    </message>
-    <message>
         <source>chatter %1</source>
         <translation>Rattern %1</translation>
     </message>
@@ -5547,10 +5827,6 @@
         <translation>Frühwarnung: die Schwingung beginnt zu wachsen</translation>
     </message>
     <message>
-        <source>The cut is quiet</source>
-        <translation>Der Schnitt ist ruhig</translation>
-    </message>
-    <message>
         <source>The tool does not cut</source>
         <translation>Das Werkzeug schneidet nicht</translation>
     </message>
@@ -5587,16 +5863,8 @@
         <translation>in Ordnung</translation>
     </message>
     <message>
-        <source>quiet</source>
-        <translation>ruhig</translation>
-    </message>
-    <message>
         <source>cut ended</source>
         <translation>Schnitt zu Ende</translation>
-    </message>
-    <message>
-        <source>not quiet</source>
-        <translation>nicht ruhig</translation>
     </message>
     <message>
         <source>not answered</source>
@@ -5613,10 +5881,6 @@
     <message>
         <source>, diameter </source>
         <translation>, Durchmesser </translation>
-    </message>
-    <message>
-        <source>Teeth</source>
-        <translation>Zähne</translation>
     </message>
     <message>
         <source>Programmed</source>
@@ -5711,26 +5975,6 @@
         <translation>Stillcut hat Drehzahl und Vorschub %1-mal geändert; </translation>
     </message>
     <message>
-        <source>the cut was quiet again.</source>
-        <translation>der Schnitt war wieder ruhig.</translation>
-    </message>
-    <message>
-        <source>each time the cut was quiet again.</source>
-        <translation>jedes Mal war der Schnitt wieder ruhig.</translation>
-    </message>
-    <message>
-        <source>it did not become quiet before the cut ended.</source>
-        <translation>er wurde bis zum Ende des Schnitts nicht ruhig.</translation>
-    </message>
-    <message>
-        <source>once the cut was quiet again before it ended.</source>
-        <translation>einmal war der Schnitt vor seinem Ende wieder ruhig.</translation>
-    </message>
-    <message>
-        <source>%1 times the cut was quiet again before it ended.</source>
-        <translation>%1-mal war der Schnitt vor seinem Ende wieder ruhig.</translation>
-    </message>
-    <message>
         <source>No.</source>
         <translation>Nr.</translation>
     </message>
@@ -5749,10 +5993,6 @@
     <message>
         <source>Vibration rms</source>
         <translation>Schwingung eff.</translation>
-    </message>
-    <message>
-        <source>Quiet after</source>
-        <translation>Ruhig nach</translation>
     </message>
     <message>
         <source>Marked</source>
@@ -5917,10 +6157,6 @@
     <message>
         <source>not tried yet</source>
         <translation>noch nicht versucht</translation>
-    </message>
-    <message>
-        <source>%1 in force, alarms: %2, in alarm %3, energy ratio to %4</source>
-        <translation>%1 in Kraft, Alarme: %2, im Alarm %3, Energieverhältnis bis %4</translation>
     </message>
     <message>
         <source>no cut</source>
@@ -6391,10 +6627,6 @@
         <translation>Schwingung %1: kein Rattern, %2 Zähne</translation>
     </message>
     <message>
-        <source>Onset %1, quiet after %2, nothing marked</source>
-        <translation>Ansatz %1, ruhig nach %2, nichts markiert</translation>
-    </message>
-    <message>
         <source>Onsets in this run: %1, no chatter</source>
         <translation>Ansätze in diesem Lauf: %1, kein Rattern</translation>
     </message>
@@ -6505,6 +6737,154 @@
     <message>
         <source>Standstills</source>
         <translation>Stillstände</translation>
+    </message>
+    <message>
+        <source>Less depth of cut</source>
+        <translation>Weniger Zustellung</translation>
+    </message>
+    <message>
+        <source>%1 deep at most</source>
+        <translation>höchstens %1 tief</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>ADVICE FOR YOUR HAND</source>
+        <translation>RAT FÜR IHRE HAND</translation>
+    </message>
+    <message>
+        <source>ADVICE FOR THE PROGRAM</source>
+        <translation>RAT FÜR DAS PROGRAMM</translation>
+    </message>
+    <message>
+        <source>STABLE SPEED</source>
+        <translation>STABILE DREHZAHL</translation>
+    </message>
+    <message>
+        <source>The spindle turns as advised and the cut is stable: keep it</source>
+        <translation>Die Spindel dreht wie geraten und der Schnitt ist stabil: so lassen</translation>
+    </message>
+    <message>
+        <source>ADVICE, AUTHORITY IS OFF</source>
+        <translation>RAT, BEFUGNIS IST AUS</translation>
+    </message>
+    <message>
+        <source>Touch ADVISE to use it</source>
+        <translation>RAT berühren, um ihn zu nutzen</translation>
+    </message>
+    <message>
+        <source>ACTIVE, HELD BY YOU</source>
+        <translation>AKTIV, VON IHNEN GEHALTEN</translation>
+    </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation>AKTIV</translation>
+    </message>
+    <message>
+        <source>Vibration, uncalibrated</source>
+        <translation>Schwingung, unkalibriert</translation>
+    </message>
+    <message>
+        <source>No machine link</source>
+        <translation>Keine Maschine verbunden</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>not yet back</source>
+        <translation>noch nicht zurück</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>antwortet</translation>
+    </message>
+    <message>
+        <source>acts in %1</source>
+        <translation>wirkt nach %1</translation>
+    </message>
+    <message>
+        <source>louder: %1 times as before the move</source>
+        <translation>lauter: %1-mal so viel wie vor dem Wechsel</translation>
+    </message>
+    <message>
+        <source>the move did not help</source>
+        <translation>der Wechsel hat nicht geholfen</translation>
+    </message>
+    <message>
+        <source>%1; ended in Advise: %2 moves in a row without help</source>
+        <translation>%1; endet in Rat: %2 Wechsel hintereinander ohne Hilfe</translation>
+    </message>
+    <message>
+        <source>Onset %1, stable after %2, nothing marked</source>
+        <translation>Ansatz %1, stabil nach %2, nichts markiert</translation>
+    </message>
+    <message>
+        <source>%1 when the tool left the cut</source>
+        <translation>%1 bis zum Austritt des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>%1, stable after %2, %3 marked</source>
+        <translation>%1, stabil nach %2, %3 Marken</translation>
+    </message>
+    <message>
+        <source>no machine link: advice is for your hand</source>
+        <translation>keine Maschinenverbindung: der Rat ist für Ihre Hand</translation>
+    </message>
+    <message>
+        <source>NOT YET BACK</source>
+        <translation>NOCH NICHT ZURÜCK</translation>
+    </message>
+    <message>
+        <source>NOT YET BACK: now %1</source>
+        <translation>NOCH NICHT ZURÜCK: jetzt %1</translation>
+    </message>
+    <message>
+        <source>released, and the machine has not shown it yet</source>
+        <translation>freigegeben, die Maschine zeigt es noch nicht</translation>
+    </message>
+    <message>
+        <source>%1 active, alarms: %2, in alarm %3, energy ratio to %4</source>
+        <translation>%1 aktiv, Alarme: %2, im Alarm %3, Energieverhältnis bis %4</translation>
+    </message>
+    <message>
+        <source>The cut is stable</source>
+        <translation>Der Schnitt ist stabil</translation>
+    </message>
+    <message>
+        <source>not stable</source>
+        <translation>nicht stabil</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>the cut was stable again.</source>
+        <translation>der Schnitt war wieder stabil.</translation>
+    </message>
+    <message>
+        <source>each time the cut was stable again.</source>
+        <translation>jedes Mal war der Schnitt wieder stabil.</translation>
+    </message>
+    <message>
+        <source>it did not become stable before the cut ended.</source>
+        <translation>er wurde bis zum Ende des Schnitts nicht stabil.</translation>
+    </message>
+    <message>
+        <source>once the cut was stable again before it ended.</source>
+        <translation>einmal war der Schnitt vor seinem Ende wieder stabil.</translation>
+    </message>
+    <message>
+        <source>%1 times the cut was stable again before it ended.</source>
+        <translation>%1-mal war der Schnitt vor seinem Ende wieder stabil.</translation>
+    </message>
+    <message>
+        <source>Stable after</source>
+        <translation>Stabil nach</translation>
     </message>
 </context>
 <context>
@@ -6662,10 +7042,6 @@
         <translation>HALT ENDE</translation>
     </message>
     <message>
-        <source>Esc, now %1</source>
-        <translation>Esc, jetzt %1</translation>
-    </message>
-    <message>
         <source>AUTO?</source>
         <translation>AUTOMATIK?</translation>
     </message>
@@ -6688,6 +7064,18 @@
     <message>
         <source>ACCEPT</source>
         <translation>ANNEHMEN</translation>
+    </message>
+    <message>
+        <source>No machine link: the advice is for your hand</source>
+        <translation>Keine Maschinenverbindung: der Rat ist für Ihre Hand</translation>
+    </message>
+    <message>
+        <source>No machine link: there is nothing to move</source>
+        <translation>Keine Maschinenverbindung: es gibt nichts zu verstellen</translation>
+    </message>
+    <message>
+        <source>%1, now %2</source>
+        <translation>%1, jetzt %2</translation>
     </message>
 </context>
 <context>
@@ -6781,12 +7169,16 @@
         <translation>Keine in diesem Lauf</translation>
     </message>
     <message>
-        <source>I HEAR IT</source>
-        <translation>JETZT HÖRE ICH ES</translation>
+        <source>MISSED CHATTER</source>
+        <translation>VERPASSTES RATTERN</translation>
     </message>
     <message>
-        <source>Marks chatter that was not told</source>
-        <translation>Markiert Rattern, das nicht gemeldet wurde</translation>
+        <source>Marks chatter now that no alarm told of; another touch takes the mark back</source>
+        <translation>Merkt jetzt Rattern an, das kein Alarm gemeldet hat; noch eine Berührung nimmt die Marke zurück</translation>
+    </message>
+    <message>
+        <source>%1 undoes it</source>
+        <translation>%1 nimmt zurück</translation>
     </message>
 </context>
 <context>
@@ -6862,10 +7254,6 @@
         <translation>Tiefe, was wäre wenn</translation>
     </message>
     <message>
-        <source>Quiet pockets at this depth</source>
-        <translation>Ruhige Bereiche in dieser Tiefe</translation>
-    </message>
-    <message>
         <source>CANCEL</source>
         <translation>ABBRECHEN</translation>
     </message>
@@ -6912,6 +7300,10 @@
     <message>
         <source>The modes of this tool are not known. A tap test gives the file of its modes (F1 tells how): name it under Set up, TOOLS; the diagram needs nothing else.</source>
         <translation>Die Moden dieses Werkzeugs sind nicht bekannt. Ein Klopfversuch gibt die Datei der Moden (F1 sagt wie): unter Aufbau, WERKZEUGE nennen; mehr braucht das Diagramm nicht.</translation>
+    </message>
+    <message>
+        <source>Stable speeds at this depth</source>
+        <translation>Stabile Drehzahlen in dieser Tiefe</translation>
     </message>
 </context>
 <context>
@@ -6992,10 +7384,6 @@
         <translation>Fehlalarm markieren</translation>
     </message>
     <message>
-        <source>I HEAR IT</source>
-        <translation>ICH HÖRE ES</translation>
-    </message>
-    <message>
         <source>I hear it now</source>
         <translation>Ich höre es jetzt</translation>
     </message>
@@ -7030,6 +7418,10 @@
     <message>
         <source>UNDO</source>
         <translation>ZURÜCK</translation>
+    </message>
+    <message>
+        <source>MISSED CHATTER</source>
+        <translation>VERPASSTES RATTERN</translation>
     </message>
 </context>
 <context>
@@ -7208,10 +7600,6 @@
         <translation>(%1)</translation>
     </message>
     <message>
-        <source>quiet, rpm</source>
-        <translation>ruhig, rpm</translation>
-    </message>
-    <message>
         <source>best, rpm</source>
         <translation>beste, rpm</translation>
     </message>
@@ -7226,6 +7614,10 @@
     <message>
         <source>No limit found: the search ended there</source>
         <translation>Keine Grenze gefunden: dort endete die Suche</translation>
+    </message>
+    <message>
+        <source>stable, rpm</source>
+        <translation>stabil, U/min</translation>
     </message>
 </context>
 <context>
@@ -7580,16 +7972,16 @@
         <translation>Nicht gewertet: %1</translation>
     </message>
     <message>
-        <source>BESIDE</source>
-        <translation>DANEBEN</translation>
-    </message>
-    <message>
         <source>Keep this recording beside the next one that is opened</source>
         <translation>Diese Aufnahme neben der nächsten behalten, die geöffnet wird</translation>
     </message>
     <message>
         <source>Open another recording: this one stays beside it, as the dashed line</source>
         <translation>Eine andere Aufnahme öffnen: diese bleibt daneben, als gestrichelte Linie</translation>
+    </message>
+    <message>
+        <source>OVERLAY</source>
+        <translation>ÜBERLAGERN</translation>
     </message>
 </context>
 <context>
@@ -7622,12 +8014,12 @@
         <translation>kein Gerät gewählt</translation>
     </message>
     <message>
-        <source>the number of teeth is not known</source>
-        <translation>die Zähnezahl ist nicht bekannt</translation>
-    </message>
-    <message>
         <source>the programmed speed is not known</source>
         <translation>die programmierte Drehzahl ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the number of flutes is not known</source>
+        <translation>die Schneidenzahl ist nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -7708,10 +8100,6 @@
         <translation>Zwei Wege zu beginnen</translation>
     </message>
     <message>
-        <source>Look at a simulated cut first: it chatters as it gets deeper, and the program finds the quiet speed. Nothing has to be connected.</source>
-        <translation>Zuerst einen simulierten Schnitt ansehen: er rattert, wenn er tiefer wird, und das Programm findet die ruhige Drehzahl. Nichts muss angeschlossen sein.</translation>
-    </message>
-    <message>
         <source>SHOW ME A SIMULATED CUT</source>
         <translation>SIMULIERTEN SCHNITT ZEIGEN</translation>
     </message>
@@ -7744,8 +8132,12 @@
         <translation>noch offen</translation>
     </message>
     <message>
-        <source>in force</source>
-        <translation>in Kraft</translation>
+        <source>Look at a simulated cut first: it chatters as it gets deeper, and the program finds the stable speed. Nothing has to be connected.</source>
+        <translation>Zuerst einen simulierten Schnitt ansehen: er rattert, wenn er tiefer wird, und das Programm findet die stabile Drehzahl. Nichts muss angeschlossen sein.</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
     </message>
 </context>
 <context>
@@ -8133,10 +8525,6 @@
         <translation>Halter, Auskragung</translation>
     </message>
     <message>
-        <source>Teeth</source>
-        <translation>Zähne</translation>
-    </message>
-    <message>
         <source>Pitch angles, degrees</source>
         <translation>Teilung, Grad</translation>
     </message>
@@ -8259,6 +8647,10 @@
     <message>
         <source>Diameter, %1</source>
         <translation>Durchmesser, %1</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
     </message>
 </context>
 <context>
@@ -8392,8 +8784,8 @@
         <translation>ratterte schon: %1</translation>
     </message>
     <message>
-        <source>D %1, %2 teeth</source>
-        <translation>D %1, %2 Zähne</translation>
+        <source>D %1, %2 flutes</source>
+        <translation>D %1, %2 Schneiden</translation>
     </message>
 </context>
 <context>
@@ -8492,10 +8884,6 @@
         <translation>WIEDER</translation>
     </message>
     <message>
-        <source>AS BEGUN</source>
-        <translation>BEGINN</translation>
-    </message>
-    <message>
         <source>DEFAULTS</source>
         <translation>VORGABEN</translation>
     </message>
@@ -8570,6 +8958,10 @@
     <message>
         <source>Learned by itself</source>
         <translation>Selbst gelernt</translation>
+    </message>
+    <message>
+        <source>REVERT</source>
+        <translation>ZURÜCKSETZEN</translation>
     </message>
 </context>
 <context>

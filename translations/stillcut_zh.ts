@@ -2288,10 +2288,6 @@
         <translation>不能以固定采样率传输</translation>
     </message>
     <message>
-        <source>channels of one recording are of one length</source>
-        <translation>同一记录的通道长度相同</translation>
-    </message>
-    <message>
         <source>channels, block length or rate</source>
         <translation>通道、块长或采样率</translation>
     </message>
@@ -2504,16 +2500,8 @@
         <translation>有 %1 列，应为 %2 列</translation>
     </message>
     <message>
-        <source>has %1 samples, those before %2</source>
-        <translation>有 %1 个采样，之前的有 %2 个</translation>
-    </message>
-    <message>
         <source>has a row of %1 numbers</source>
         <translation>有一行含 %1 个数</translation>
-    </message>
-    <message>
-        <source>has another sampling rate than those before</source>
-        <translation>采样率与之前的不同</translation>
     </message>
     <message>
         <source>has different periods for input and output</source>
@@ -2594,10 +2582,6 @@
     <message>
         <source>header inconsistent</source>
         <translation>文件头不一致</translation>
-    </message>
-    <message>
-        <source>helix angle (straight teeth assumed)</source>
-        <translation>螺旋角（按直齿计算）</translation>
     </message>
     <message>
         <source>helix must lie within 80 degrees</source>
@@ -3148,10 +3132,6 @@
         <translation>超出机床能力</translation>
     </message>
     <message>
-        <source>left out: %1</source>
-        <translation>已略去：%1</translation>
-    </message>
-    <message>
         <source>linearise the force at the mean chip thickness first</source>
         <translation>请先在平均切屑厚度处将力线性化</translation>
     </message>
@@ -3344,10 +3324,6 @@
         <translation>听到的只有 %1 % 是 %2 Hz 附近的音</translation>
     </message>
     <message>
-        <source>only HDF5 and MATLAB files have places inside</source>
-        <translation>只有 HDF5 和 MATLAB 文件有内部位置</translation>
-    </message>
-    <message>
         <source>only Stillcut sessions say how they were made</source>
         <translation>只有 Stillcut 会话记载其来历</translation>
     </message>
@@ -3394,10 +3370,6 @@
     <message>
         <source>point %1 is not finite</source>
         <translation>第 %1 点不是有限数</translation>
-    </message>
-    <message>
-        <source>process damping (limits at low speed are too low)</source>
-        <translation>过程阻尼（低速时极限偏低）</translation>
     </message>
     <message>
         <source>profile version %1 is newer than this program</source>
@@ -3508,10 +3480,6 @@
         <translation>设置</translation>
     </message>
     <message>
-        <source>simulate a variable pitch instead</source>
-        <translation>变齿距请改用仿真</translation>
-    </message>
-    <message>
         <source>simulated machine</source>
         <translation>模拟机床</translation>
     </message>
@@ -3542,10 +3510,6 @@
     <message>
         <source>stability lobes need a force exponent of 1</source>
         <translation>稳定性叶瓣图要求力指数为 1</translation>
-    </message>
-    <message>
-        <source>stability lobes need a regular pitch</source>
-        <translation>稳定性叶瓣图要求等齿距</translation>
     </message>
     <message>
         <source>steps must be 8 to 5000</source>
@@ -3602,10 +3566,6 @@
     <message>
         <source>task</source>
         <translation>任务</translation>
-    </message>
-    <message>
-        <source>teeth must be 1 to 12, not %1</source>
-        <translation>齿数必须为 1 至 12，而不是 %1</translation>
     </message>
     <message>
         <source>the HDF5 file cannot be opened</source>
@@ -4072,10 +4032,6 @@
         <translation>此记录不能后退</translation>
     </message>
     <message>
-        <source>too large for a sample</source>
-        <translation>作为采样值过大</translation>
-    </message>
-    <message>
         <source>too short</source>
         <translation>太短</translation>
     </message>
@@ -4222,10 +4178,6 @@
     <message>
         <source>found in the signal, and followed</source>
         <translation>在信号中找到并跟踪</translation>
-    </message>
-    <message>
-        <source>Doubt of the speed</source>
-        <translation>转速的不确定度</translation>
     </message>
     <message>
         <source>no speed is known</source>
@@ -4619,6 +4571,338 @@
         <source>Sender password</source>
         <translation>发送程序密码</translation>
     </message>
+    <message>
+        <source>Uncertainty of the speed</source>
+        <translation>转速的不确定度</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows hold no number where one belongs and are missing; the first: %3</source>
+        <translation>%2 行中有 %1 行缺少数字，按缺失处理；第一处：%3</translation>
+    </message>
+    <message>
+        <source>%1 rpm is too low for teeth that differ</source>
+        <translation>对于不等齿，%1 rpm 过低</translation>
+    </message>
+    <message>
+        <source>%1 spectral lines would be needed; %2 are possible</source>
+        <translation>需要 %1 条谱线；最多可用 %2 条</translation>
+    </message>
+    <message>
+        <source>%1; the machine before runs again, authority is Off</source>
+        <translation>%1；之前的机床已重新运行，权限为关闭</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no row of numbers</source>
+        <translation>“%1”不是数字行</translation>
+    </message>
+    <message>
+        <source>a section of the tool has no length or no diameter</source>
+        <translation>刀具有一段没有长度或直径</translation>
+    </message>
+    <message>
+        <source>a spread must lie between 0 and 50 %</source>
+        <translation>离散度必须在 0 到 50 % 之间</translation>
+    </message>
+    <message>
+        <source>channel &apos;%1&apos; is left out: %2 beside %3</source>
+        <translation>略去通道“%1”：%2，其余为 %3</translation>
+    </message>
+    <message>
+        <source>close it there, or run h5clear -s on a copy of it</source>
+        <translation>请在写入程序中关闭，或对其副本运行 h5clear -s</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; is left out: most of its cells hold no number</source>
+        <translation>略去列“%1”：其大部分单元格没有数字</translation>
+    </message>
+    <message>
+        <source>commas seem to be both decimal signs and delimiters</source>
+        <translation>逗号似乎既是小数点又是分隔符</translation>
+    </message>
+    <message>
+        <source>convert it to WAV: ffmpeg -i FILE cut.wav</source>
+        <translation>请转换为 WAV：ffmpeg -i FILE cut.wav</translation>
+    </message>
+    <message>
+        <source>export it as CSV, or write it as HDF5 in Python: %1</source>
+        <translation>请导出为 CSV，或在 Python 中写成 HDF5：%1</translation>
+    </message>
+    <message>
+        <source>export with decimal points and without signs between thousands</source>
+        <translation>请使用小数点并去掉千位分隔符导出</translation>
+    </message>
+    <message>
+        <source>export with decimal points, or with semicolons between the columns</source>
+        <translation>请使用小数点导出，或用分号分隔各列</translation>
+    </message>
+    <message>
+        <source>has other lines than %1</source>
+        <translation>谱线与 %1 不同</translation>
+    </message>
+    <message>
+        <source>helix needs one angle per tooth</source>
+        <translation>螺旋角须每齿一个</translation>
+    </message>
+    <message>
+        <source>holds %1 sound tracks, of which one is read</source>
+        <translation>含有 %1 条音轨，读取其中一条</translation>
+    </message>
+    <message>
+        <source>holds a sample that is not a finite number</source>
+        <translation>含有非有限数的采样值</translation>
+    </message>
+    <message>
+        <source>holds no array of real numbers in one or two dimensions</source>
+        <translation>不含一维或二维的实数数组</translation>
+    </message>
+    <message>
+        <source>holds no line above 0 Hz</source>
+        <translation>没有 0 Hz 以上的谱线</translation>
+    </message>
+    <message>
+        <source>holds no sound track</source>
+        <translation>没有音轨</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive above 4 GiB</source>
+        <translation>是大于 4 GiB 的 ZIP 压缩包</translation>
+    </message>
+    <message>
+        <source>is a file of the format %1, which is not read</source>
+        <translation>是 %1 格式的文件，不支持读取</translation>
+    </message>
+    <message>
+        <source>is a phone&apos;s or a camera&apos;s file, and this Stillcut was built without the decoder for them</source>
+        <translation>是手机或相机的文件，而此 Stillcut 未包含相应解码器</translation>
+    </message>
+    <message>
+        <source>is damaged %1 s from its beginning: what is before is read</source>
+        <translation>在开始后 %1 s 处损坏：读取此前的部分</translation>
+    </message>
+    <message>
+        <source>it follows from the indentation coefficient and the wear land</source>
+        <translation>它由压入系数和磨损带宽度得出</translation>
+    </message>
+    <message>
+        <source>it is not clear whether &apos;%1&apos; has a decimal comma or thousands set apart</source>
+        <translation>不清楚“%1”中的逗号是小数点还是千位分隔符</translation>
+    </message>
+    <message>
+        <source>its container cannot be read</source>
+        <translation>无法读取其容器格式</translation>
+    </message>
+    <message>
+        <source>its header says %1 Hz, its times %2 Hz, which are taken</source>
+        <translation>文件头为 %1 Hz，时间列为 %2 Hz，采用后者</translation>
+    </message>
+    <message>
+        <source>its sampling rate or number of channels changes within it</source>
+        <translation>其采样率或通道数在文件中途改变</translation>
+    </message>
+    <message>
+        <source>its time has no unit and steps of %1</source>
+        <translation>时间没有单位，步长为 %1</translation>
+    </message>
+    <message>
+        <source>its times do not grow</source>
+        <translation>时间不递增</translation>
+    </message>
+    <message>
+        <source>line %1, the last, is cut off and left out</source>
+        <translation>最后一行（第 %1 行）不完整，已略去</translation>
+    </message>
+    <message>
+        <source>measure both with the same sampling rate and length</source>
+        <translation>两者要用相同的采样率和长度测量</translation>
+    </message>
+    <message>
+        <source>name every column</source>
+        <translation>请为每一列命名</translation>
+    </message>
+    <message>
+        <source>needs its distance from the face</source>
+        <translation>需要到端面的距离</translation>
+    </message>
+    <message>
+        <source>needs the tool&apos;s diameter and stick-out</source>
+        <translation>需要刀具的直径和伸出长度</translation>
+    </message>
+    <message>
+        <source>no decoder for its sound track</source>
+        <translation>没有可解码其音轨的解码器</translation>
+    </message>
+    <message>
+        <source>no sample of its sound track can be decoded</source>
+        <translation>其音轨无法解码出任何采样值</translation>
+    </message>
+    <message>
+        <source>not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>only HDF5, MATLAB and NumPy files have places inside</source>
+        <translation>只有 HDF5、MATLAB 和 NumPy 文件有内部路径</translation>
+    </message>
+    <message>
+        <source>open the .tdms file beside it</source>
+        <translation>请打开旁边的 .tdms 文件</translation>
+    </message>
+    <message>
+        <source>open the recording that it was made from</source>
+        <translation>请打开生成它的原始记录</translation>
+    </message>
+    <message>
+        <source>raise the lowest speed</source>
+        <translation>请提高最低转速</translation>
+    </message>
+    <message>
+        <source>samples must be 8 to 1000</source>
+        <translation>样本数必须为 8 到 1000</translation>
+    </message>
+    <message>
+        <source>save plain arrays with numpy.save or numpy.savez</source>
+        <translation>请用 numpy.save 或 numpy.savez 保存普通数组</translation>
+    </message>
+    <message>
+        <source>save the sheet as CSV</source>
+        <translation>请将工作表另存为 CSV</translation>
+    </message>
+    <message>
+        <source>semi-discretization needs teeth of one pitch and one helix</source>
+        <translation>半离散法要求各齿齿距和螺旋角相同</translation>
+    </message>
+    <message>
+        <source>semi-discretization with %1 cells is too coarse below %2 rpm: take %3 or more, or the exact method</source>
+        <translation>%1 个单元的半离散法在 %2 rpm 以下过粗：请取 %3 个以上，或用精确方法</translation>
+    </message>
+    <message>
+        <source>some columns end after %1 of %2 rows, where the recording ends; --channel N reads one alone</source>
+        <translation>部分列在 %2 行中的第 %1 行后结束，记录到此为止；--channel N 可单独读取一列</translation>
+    </message>
+    <message>
+        <source>take a smaller depth or other helix angles</source>
+        <translation>请减小切深或改用其他螺旋角</translation>
+    </message>
+    <message>
+        <source>teeth must be 1 to %1, not %2</source>
+        <translation>齿数必须为 1 到 %1，而不是 %2</translation>
+    </message>
+    <message>
+        <source>the HDF5 file was not closed by its writer</source>
+        <translation>HDF5 文件未被写入程序关闭</translation>
+    </message>
+    <message>
+        <source>the ZIP archive is damaged</source>
+        <translation>ZIP 压缩包已损坏</translation>
+    </message>
+    <message>
+        <source>the angles make it %1</source>
+        <translation>由角度得出 %1</translation>
+    </message>
+    <message>
+        <source>the decoder cannot read it</source>
+        <translation>解码器无法读取</translation>
+    </message>
+    <message>
+        <source>the edges of two teeth meet at %1 mm</source>
+        <translation>两个刀齿的切削刃在 %1 mm 处相交</translation>
+    </message>
+    <message>
+        <source>the exact method takes any</source>
+        <translation>精确方法可用于任意刀齿</translation>
+    </message>
+    <message>
+        <source>the exit angle must lie above the start angle</source>
+        <translation>切出角必须大于切入角</translation>
+    </message>
+    <message>
+        <source>the flutes are longer than the stick-out</source>
+        <translation>容屑槽比伸出长度还长</translation>
+    </message>
+    <message>
+        <source>the flutes&apos; effective diameter must be 0.3 to 1 of the tool&apos;s</source>
+        <translation>容屑槽的等效直径必须是刀具直径的 0.3 到 1 倍</translation>
+    </message>
+    <message>
+        <source>the header does not say how much follows, as of a recorder that wrote into a pipe: all is read</source>
+        <translation>文件头未说明数据长度（如录音程序写入管道）：全部读取</translation>
+    </message>
+    <message>
+        <source>the header&apos;s size is not true: it says %1 bytes, which is what 32 bits leave of %2, which are read</source>
+        <translation>文件头中的大小不正确：写着 %1 字节，这是 %2 字节在 32 位下的余数，按后者读取</translation>
+    </message>
+    <message>
+        <source>the holder was measured with an exponential window: the damping is too high by %1 1/s</source>
+        <translation>刀柄测量时用了指数窗：阻尼偏大 %1 1/s</translation>
+    </message>
+    <message>
+        <source>the holder&apos;s rotation was not measured and is left out: the tip is softer, and its frequencies are lower, than computed here; --cross measures it</source>
+        <translation>没有测量刀柄的转动，已忽略：刀尖比这里算出的更软，频率更低；用 --cross 测量</translation>
+    </message>
+    <message>
+        <source>the speed range holds more lobes than can be looked at</source>
+        <translation>转速范围内的叶瓣过多，无法逐一检查</translation>
+    </message>
+    <message>
+        <source>the tool needs 1 to 64 sections</source>
+        <translation>刀具需要 1 到 64 段</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s material is none</source>
+        <translation>刀具的材料无效</translation>
+    </message>
+    <message>
+        <source>the unit &apos;%1&apos; of its time is not known</source>
+        <translation>时间单位“%1”未知</translation>
+    </message>
+    <message>
+        <source>the zeroth order leaves out process damping: its limits at low speed are too low</source>
+        <translation>零阶法忽略过程阻尼：低速下的极限偏低</translation>
+    </message>
+    <message>
+        <source>the zeroth order needs teeth of one pitch and one helix</source>
+        <translation>零阶法要求各齿齿距和螺旋角相同</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>unpack it, and open what is in it</source>
+        <translation>请解压后打开其中的文件</translation>
+    </message>
+    <message>
+        <source>was not closed by its writer: what that had written so far is read</source>
+        <translation>未被写入程序关闭：读取已写入的部分</translation>
+    </message>
+    <message>
+        <source>what is clamped does not count</source>
+        <translation>夹持部分不计算在内</translation>
+    </message>
+    <message>
+        <source>what stands below the rows is left out: %1</source>
+        <translation>略去数据行下方的内容：%1</translation>
+    </message>
+    <message>
+        <source>with decimal commas, export with semicolons between the columns</source>
+        <translation>使用逗号作小数点时，请用分号分隔各列导出</translation>
+    </message>
+    <message>
+        <source>with this offset a part of the cut lies beyond the tool</source>
+        <translation>按此偏置，部分切削宽度超出刀具</translation>
+    </message>
+    <message>
+        <source>write it as CSV in Python: %1</source>
+        <translation>请在 Python 中写成 CSV：%1</translation>
+    </message>
+    <message>
+        <source>write s, ms, us or ns behind its name, or give --rate HZ</source>
+        <translation>请在名称后写 s、ms、us 或 ns，或给出 --rate HZ</translation>
+    </message>
+    <message>
+        <source>write s, ms, us or ns, or give --rate HZ</source>
+        <translation>请写 s、ms、us 或 ns，或给出 --rate HZ</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>
@@ -4717,10 +5001,6 @@
     <message>
         <source>the spindle speed is not known</source>
         <translation>主轴转速未知</translation>
-    </message>
-    <message>
-        <source>the number of teeth is not known</source>
-        <translation>齿数未知</translation>
     </message>
     <message>
         <source>samples are missing ({0.0} counted)</source>
@@ -4829,10 +5109,6 @@
     <message>
         <source>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</source>
         <translation>此切深下没有可达的稳定转速，{2.0} rpm 时 {1.2} mm 可稳定（颤振 {3.0} Hz）</translation>
-    </message>
-    <message>
-        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</source>
-        <translation>已试 {0.0} 个转速均不平稳（颤振 {1.0} Hz）：切深须小于颤振开始处，即 {2.0} mm 进给之前</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>
@@ -4971,10 +5247,6 @@
         <translation>{0.0} Hz 颤振，能量比 {1.2}</translation>
     </message>
     <message>
-        <source>quiet again after {0.2} s and {1.1} mm of feed</source>
-        <translation>{0.2} s、进给 {1.1} mm 后恢复平稳</translation>
-    </message>
-    <message>
         <source>authority changed from {0.0} to {1.0}</source>
         <translation>权限由 {0.0} 变为 {1.0}</translation>
     </message>
@@ -5067,10 +5339,6 @@
         <translation>{0.0} rpm 可抑制 {3.0} Hz 的颤振，但倍率只能到 {1.0} 至 {2.0} rpm</translation>
     </message>
     <message>
-        <source>quiet, keeping {0.0} rpm that chatter of {1.0} Hz asked for</source>
-        <translation>已平稳，保持因 {1.0} Hz 颤振而选的 {0.0} rpm</translation>
-    </message>
-    <message>
         <source>monitoring only, at {0.0} rpm and an energy ratio of {1.2}</source>
         <translation>仅监测，{0.0} rpm，能量比 {1.2}</translation>
     </message>
@@ -5081,10 +5349,6 @@
     <message>
         <source>verdict or machine state cannot be acted on, staying at {0.0} rpm</source>
         <translation>结论或机床状态不可用，停留在 {0.0} rpm</translation>
-    </message>
-    <message>
-        <source>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
-        <translation>齿数未知，无法由 {1.0} rpm 时 {0.0} Hz 的颤振得出转速</translation>
     </message>
     <message>
         <source>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</source>
@@ -5117,6 +5381,30 @@
     <message>
         <source>channel {0.0} delivers values that no sensor has</source>
         <translation>通道 {0.0} 传来任何传感器都不可能有的数值</translation>
+    </message>
+    <message>
+        <source>the number of flutes is not known</source>
+        <translation>刃数未知</translation>
+    </message>
+    <message>
+        <source>stable, keeping {0.0} rpm that chatter of {1.0} Hz asked for</source>
+        <translation>已稳定，保持因 {1.0} Hz 颤振而选的 {0.0} rpm</translation>
+    </message>
+    <message>
+        <source>{0.0} speeds tried and none is stable (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</source>
+        <translation>已试 {0.0} 个转速均不稳定（颤振 {1.0} Hz）：切深须小于颤振开始处，即 {2.0} mm 进给之前</translation>
+    </message>
+    <message>
+        <source>stable again after {0.2} s and {1.1} mm of feed</source>
+        <translation>{0.2} s、进给 {1.1} mm 后恢复稳定</translation>
+    </message>
+    <message>
+        <source>the number of flutes is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
+        <translation>刃数未知，无法由 {1.0} rpm 时 {0.0} Hz 的颤振得出转速</translation>
+    </message>
+    <message>
+        <source>nothing was read from a machine yet</source>
+        <translation>尚未从机床读到任何数据</translation>
     </message>
 </context>
 <context>
@@ -5176,6 +5464,14 @@
         <source>The run has ended</source>
         <translation>运行已结束</translation>
     </message>
+    <message>
+        <source>The run of %1 did not end in order; nothing of it was recorded</source>
+        <translation>%1 的运行未正常结束；没有任何记录</translation>
+    </message>
+    <message>
+        <source>The run of %1 did not end in order; it is recorded in %2</source>
+        <translation>%1 的运行未正常结束；记录在 %2</translation>
+    </message>
 </context>
 <context>
     <name>Trial</name>
@@ -5233,14 +5529,6 @@
     <message>
         <source>ASKED FOR, NOT CONFIRMED BY THE MACHINE</source>
         <translation>已请求，机床未确认</translation>
-    </message>
-    <message>
-        <source>IN FORCE, HELD BY YOU</source>
-        <translation>已生效，由您保持</translation>
-    </message>
-    <message>
-        <source>IN FORCE</source>
-        <translation>已生效</translation>
     </message>
     <message>
         <source>WHAT TO DO</source>
@@ -5395,14 +5683,6 @@
         <translation>%1，处理中</translation>
     </message>
     <message>
-        <source>%1, not quieted</source>
-        <translation>%1，未平稳</translation>
-    </message>
-    <message>
-        <source>%1, quiet after %2, %3 marked</source>
-        <translation>%1，%2 后平稳，振纹 %3</translation>
-    </message>
-    <message>
         <source>chatter %1</source>
         <translation>颤振 %1</translation>
     </message>
@@ -5547,10 +5827,6 @@
         <translation>预警：振动开始增长</translation>
     </message>
     <message>
-        <source>The cut is quiet</source>
-        <translation>切削平稳</translation>
-    </message>
-    <message>
         <source>The tool does not cut</source>
         <translation>刀具未切削</translation>
     </message>
@@ -5587,16 +5863,8 @@
         <translation>正常</translation>
     </message>
     <message>
-        <source>quiet</source>
-        <translation>平稳</translation>
-    </message>
-    <message>
         <source>cut ended</source>
         <translation>切削结束</translation>
-    </message>
-    <message>
-        <source>not quiet</source>
-        <translation>未平稳</translation>
     </message>
     <message>
         <source>not answered</source>
@@ -5613,10 +5881,6 @@
     <message>
         <source>, diameter </source>
         <translation>，直径 </translation>
-    </message>
-    <message>
-        <source>Teeth</source>
-        <translation>齿数</translation>
     </message>
     <message>
         <source>Programmed</source>
@@ -5711,26 +5975,6 @@
         <translation>Stillcut 调整转速和进给 %1 次；</translation>
     </message>
     <message>
-        <source>the cut was quiet again.</source>
-        <translation>切削恢复平稳。</translation>
-    </message>
-    <message>
-        <source>each time the cut was quiet again.</source>
-        <translation>每次切削均恢复平稳。</translation>
-    </message>
-    <message>
-        <source>it did not become quiet before the cut ended.</source>
-        <translation>切削结束前未恢复平稳。</translation>
-    </message>
-    <message>
-        <source>once the cut was quiet again before it ended.</source>
-        <translation>结束前有一次恢复平稳。</translation>
-    </message>
-    <message>
-        <source>%1 times the cut was quiet again before it ended.</source>
-        <translation>结束前有 %1 次恢复平稳。</translation>
-    </message>
-    <message>
         <source>No.</source>
         <translation>编号</translation>
     </message>
@@ -5749,10 +5993,6 @@
     <message>
         <source>Vibration rms</source>
         <translation>振动有效值</translation>
-    </message>
-    <message>
-        <source>Quiet after</source>
-        <translation>平稳用时</translation>
     </message>
     <message>
         <source>Marked</source>
@@ -5917,10 +6157,6 @@
     <message>
         <source>not tried yet</source>
         <translation>尚未试用</translation>
-    </message>
-    <message>
-        <source>%1 in force, alarms: %2, in alarm %3, energy ratio to %4</source>
-        <translation>生效 %1，报警：%2，报警时长 %3，能量比最高 %4</translation>
     </message>
     <message>
         <source>no cut</source>
@@ -6391,10 +6627,6 @@
         <translation>振动 %1：无颤振，%2 来自刀齿</translation>
     </message>
     <message>
-        <source>Onset %1, quiet after %2, nothing marked</source>
-        <translation>初起 %1，%2 后平稳，无振纹</translation>
-    </message>
-    <message>
         <source>Onsets in this run: %1, no chatter</source>
         <translation>本次初起：%1 次，无颤振</translation>
     </message>
@@ -6505,6 +6737,154 @@
     <message>
         <source>Standstills</source>
         <translation>停顿</translation>
+    </message>
+    <message>
+        <source>Less depth of cut</source>
+        <translation>减小切深</translation>
+    </message>
+    <message>
+        <source>%1 deep at most</source>
+        <translation>切深不超过 %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>在 %1 时</translation>
+    </message>
+    <message>
+        <source>ADVICE FOR YOUR HAND</source>
+        <translation>建议：请手动执行</translation>
+    </message>
+    <message>
+        <source>ADVICE FOR THE PROGRAM</source>
+        <translation>建议：修改程序</translation>
+    </message>
+    <message>
+        <source>STABLE SPEED</source>
+        <translation>稳定转速</translation>
+    </message>
+    <message>
+        <source>The spindle turns as advised and the cut is stable: keep it</source>
+        <translation>主轴已按建议转动，切削稳定：请保持</translation>
+    </message>
+    <message>
+        <source>ADVICE, AUTHORITY IS OFF</source>
+        <translation>建议（权限已关闭）</translation>
+    </message>
+    <message>
+        <source>Touch ADVISE to use it</source>
+        <translation>按“建议”即可使用</translation>
+    </message>
+    <message>
+        <source>ACTIVE, HELD BY YOU</source>
+        <translation>已生效，由您保持</translation>
+    </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation>已生效</translation>
+    </message>
+    <message>
+        <source>Vibration, uncalibrated</source>
+        <translation>振动（未校准）</translation>
+    </message>
+    <message>
+        <source>No machine link</source>
+        <translation>无机床连接</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>not yet back</source>
+        <translation>尚未恢复</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>有应答</translation>
+    </message>
+    <message>
+        <source>acts in %1</source>
+        <translation>%1 后生效</translation>
+    </message>
+    <message>
+        <source>louder: %1 times as before the move</source>
+        <translation>更响：为调整前的 %1 倍</translation>
+    </message>
+    <message>
+        <source>the move did not help</source>
+        <translation>调整没有效果</translation>
+    </message>
+    <message>
+        <source>%1; ended in Advise: %2 moves in a row without help</source>
+        <translation>%1；已转为建议：连续 %2 次调整无效</translation>
+    </message>
+    <message>
+        <source>Onset %1, stable after %2, nothing marked</source>
+        <translation>初起 %1，%2 后稳定，无振纹</translation>
+    </message>
+    <message>
+        <source>%1 when the tool left the cut</source>
+        <translation>%1，直到刀具离开切削</translation>
+    </message>
+    <message>
+        <source>%1, stable after %2, %3 marked</source>
+        <translation>%1，%2 后稳定，振纹 %3</translation>
+    </message>
+    <message>
+        <source>no machine link: advice is for your hand</source>
+        <translation>无机床连接：建议由您手动执行</translation>
+    </message>
+    <message>
+        <source>NOT YET BACK</source>
+        <translation>尚未恢复</translation>
+    </message>
+    <message>
+        <source>NOT YET BACK: now %1</source>
+        <translation>尚未恢复：现为 %1</translation>
+    </message>
+    <message>
+        <source>released, and the machine has not shown it yet</source>
+        <translation>已交还，机床尚未显示</translation>
+    </message>
+    <message>
+        <source>%1 active, alarms: %2, in alarm %3, energy ratio to %4</source>
+        <translation>生效 %1，报警：%2，报警时长 %3，能量比最高 %4</translation>
+    </message>
+    <message>
+        <source>The cut is stable</source>
+        <translation>切削稳定</translation>
+    </message>
+    <message>
+        <source>not stable</source>
+        <translation>未稳定</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>刃数</translation>
+    </message>
+    <message>
+        <source>the cut was stable again.</source>
+        <translation>切削恢复稳定。</translation>
+    </message>
+    <message>
+        <source>each time the cut was stable again.</source>
+        <translation>每次切削均恢复稳定。</translation>
+    </message>
+    <message>
+        <source>it did not become stable before the cut ended.</source>
+        <translation>切削结束前未恢复稳定。</translation>
+    </message>
+    <message>
+        <source>once the cut was stable again before it ended.</source>
+        <translation>结束前有一次恢复稳定。</translation>
+    </message>
+    <message>
+        <source>%1 times the cut was stable again before it ended.</source>
+        <translation>结束前有 %1 次恢复稳定。</translation>
+    </message>
+    <message>
+        <source>Stable after</source>
+        <translation>稳定用时</translation>
     </message>
 </context>
 <context>
@@ -6662,10 +7042,6 @@
         <translation>结束保持</translation>
     </message>
     <message>
-        <source>Esc, now %1</source>
-        <translation>Esc，现为 %1</translation>
-    </message>
-    <message>
         <source>AUTO?</source>
         <translation>自动？</translation>
     </message>
@@ -6688,6 +7064,18 @@
     <message>
         <source>ACCEPT</source>
         <translation>接受</translation>
+    </message>
+    <message>
+        <source>No machine link: the advice is for your hand</source>
+        <translation>无机床连接：建议由您手动执行</translation>
+    </message>
+    <message>
+        <source>No machine link: there is nothing to move</source>
+        <translation>无机床连接：没有可调整的对象</translation>
+    </message>
+    <message>
+        <source>%1, now %2</source>
+        <translation>%1，现为 %2</translation>
     </message>
 </context>
 <context>
@@ -6781,12 +7169,16 @@
         <translation>本次运行无干预</translation>
     </message>
     <message>
-        <source>I HEAR IT</source>
-        <translation>我听到了</translation>
+        <source>MISSED CHATTER</source>
+        <translation>漏报颤振</translation>
     </message>
     <message>
-        <source>Marks chatter that was not told</source>
-        <translation>标记未报出的颤振</translation>
+        <source>Marks chatter now that no alarm told of; another touch takes the mark back</source>
+        <translation>标记此刻未报警的颤振；再按一次撤销标记</translation>
+    </message>
+    <message>
+        <source>%1 undoes it</source>
+        <translation>%1 撤销</translation>
     </message>
 </context>
 <context>
@@ -6862,10 +7254,6 @@
         <translation>假设切深</translation>
     </message>
     <message>
-        <source>Quiet pockets at this depth</source>
-        <translation>此切深下的稳定区</translation>
-    </message>
-    <message>
         <source>CANCEL</source>
         <translation>取消</translation>
     </message>
@@ -6912,6 +7300,10 @@
     <message>
         <source>The modes of this tool are not known. A tap test gives the file of its modes (F1 tells how): name it under Set up, TOOLS; the diagram needs nothing else.</source>
         <translation>此刀具的模态未知。锤击试验可得到模态文件（F1 说明方法）：请在“设置”的“刀具”中填写；叶瓣图不需要其他数据。</translation>
+    </message>
+    <message>
+        <source>Stable speeds at this depth</source>
+        <translation>此切深下的稳定转速</translation>
     </message>
 </context>
 <context>
@@ -6992,10 +7384,6 @@
         <translation>标为误报</translation>
     </message>
     <message>
-        <source>I HEAR IT</source>
-        <translation>我听到了</translation>
-    </message>
-    <message>
         <source>I hear it now</source>
         <translation>我现在听到</translation>
     </message>
@@ -7030,6 +7418,10 @@
     <message>
         <source>UNDO</source>
         <translation>撤销</translation>
+    </message>
+    <message>
+        <source>MISSED CHATTER</source>
+        <translation>漏报颤振</translation>
     </message>
 </context>
 <context>
@@ -7208,10 +7600,6 @@
         <translation>(%1)</translation>
     </message>
     <message>
-        <source>quiet, rpm</source>
-        <translation>稳定 rpm</translation>
-    </message>
-    <message>
         <source>best, rpm</source>
         <translation>最佳 rpm</translation>
     </message>
@@ -7226,6 +7614,10 @@
     <message>
         <source>No limit found: the search ended there</source>
         <translation>未发现极限：搜索到此为止</translation>
+    </message>
+    <message>
+        <source>stable, rpm</source>
+        <translation>稳定 rpm</translation>
     </message>
 </context>
 <context>
@@ -7580,16 +7972,16 @@
         <translation>未评分：%1</translation>
     </message>
     <message>
-        <source>BESIDE</source>
-        <translation>并排</translation>
-    </message>
-    <message>
         <source>Keep this recording beside the next one that is opened</source>
         <translation>将此记录与下一个打开的记录并排</translation>
     </message>
     <message>
         <source>Open another recording: this one stays beside it, as the dashed line</source>
         <translation>打开另一记录：此记录以虚线并排显示</translation>
+    </message>
+    <message>
+        <source>OVERLAY</source>
+        <translation>叠加</translation>
     </message>
 </context>
 <context>
@@ -7622,12 +8014,12 @@
         <translation>未选择设备</translation>
     </message>
     <message>
-        <source>the number of teeth is not known</source>
-        <translation>齿数未知</translation>
-    </message>
-    <message>
         <source>the programmed speed is not known</source>
         <translation>编程转速未知</translation>
+    </message>
+    <message>
+        <source>the number of flutes is not known</source>
+        <translation>刃数未知</translation>
     </message>
 </context>
 <context>
@@ -7708,10 +8100,6 @@
         <translation>两种开始方式</translation>
     </message>
     <message>
-        <source>Look at a simulated cut first: it chatters as it gets deeper, and the program finds the quiet speed. Nothing has to be connected.</source>
-        <translation>先看一次模拟切削：切深增大时发生颤振，程序找到安静转速。无需连接任何设备。</translation>
-    </message>
-    <message>
         <source>SHOW ME A SIMULATED CUT</source>
         <translation>显示模拟切削</translation>
     </message>
@@ -7744,8 +8132,12 @@
         <translation>未完成</translation>
     </message>
     <message>
-        <source>in force</source>
-        <translation>生效</translation>
+        <source>Look at a simulated cut first: it chatters as it gets deeper, and the program finds the stable speed. Nothing has to be connected.</source>
+        <translation>先看一次模拟切削：切深增大时发生颤振，程序找到稳定转速。无需连接任何设备。</translation>
+    </message>
+    <message>
+        <source>active</source>
+        <translation>已生效</translation>
     </message>
 </context>
 <context>
@@ -8133,10 +8525,6 @@
         <translation>刀柄与悬伸</translation>
     </message>
     <message>
-        <source>Teeth</source>
-        <translation>齿数</translation>
-    </message>
-    <message>
         <source>Pitch angles, degrees</source>
         <translation>齿距角（度）</translation>
     </message>
@@ -8259,6 +8647,10 @@
     <message>
         <source>Diameter, %1</source>
         <translation>直径 %1</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>刃数</translation>
     </message>
 </context>
 <context>
@@ -8392,8 +8784,8 @@
         <translation>曾在此颤振：%1</translation>
     </message>
     <message>
-        <source>D %1, %2 teeth</source>
-        <translation>D %1，%2 齿</translation>
+        <source>D %1, %2 flutes</source>
+        <translation>D %1，%2 刃</translation>
     </message>
 </context>
 <context>
@@ -8492,10 +8884,6 @@
         <translation>重做</translation>
     </message>
     <message>
-        <source>AS BEGUN</source>
-        <translation>开始值</translation>
-    </message>
-    <message>
         <source>DEFAULTS</source>
         <translation>默认值</translation>
     </message>
@@ -8570,6 +8958,10 @@
     <message>
         <source>Learned by itself</source>
         <translation>自行学得</translation>
+    </message>
+    <message>
+        <source>REVERT</source>
+        <translation>还原</translation>
     </message>
 </context>
 <context>
