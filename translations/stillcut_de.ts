@@ -7170,7 +7170,7 @@
     </message>
     <message>
         <source>MISSED CHATTER</source>
-        <translation>VERPASSTES RATTERN</translation>
+        <translation>VERPASST</translation>
     </message>
     <message>
         <source>Marks chatter now that no alarm told of; another touch takes the mark back</source>
@@ -7421,7 +7421,7 @@
     </message>
     <message>
         <source>MISSED CHATTER</source>
-        <translation>VERPASSTES RATTERN</translation>
+        <translation>VERPASST</translation>
     </message>
 </context>
 <context>
@@ -7981,7 +7981,7 @@
     </message>
     <message>
         <source>OVERLAY</source>
-        <translation>ÜBERLAGERN</translation>
+        <translation>DANEBEN</translation>
     </message>
 </context>
 <context>
@@ -8961,7 +8961,7 @@
     </message>
     <message>
         <source>REVERT</source>
-        <translation>ZURÜCKSETZEN</translation>
+        <translation>ZURÜCK</translation>
     </message>
 </context>
 <context>

@@ -52,7 +52,12 @@ std::string outcomeOf(const SimulationHistory& run) {
   std::copy_if(run.points().begin(), run.points().end(), std::back_inserter(inCut),
                [](const Point& p) { return p.cutting; });
   if (!inCut.empty() && share(inCut, &Point::usable) < 0.5) return "hold";
-  if (share(finalPoints(run.points()), &Point::chattering) < 0.5) return "stable";
+  std::vector<Point> last = finalPoints(run.points());
+  const bool chatters = share(last, &Point::chattering) >= 0.5;
+  // How it ended was not judged: no verdict of stable.
+  std::erase_if(last, [](const Point& p) { return !p.cutting; });
+  if (!chatters && !last.empty() && share(last, &Point::usable) < 0.5) return "hold";
+  if (!chatters) return "stable";
   const ReasonCode why = run.lastRequestReason();
   const bool resigned = why == ReasonCode::TargetOutOfRange || why == ReasonCode::AlreadyThere ||
                         why == ReasonCode::NoStableSpeed || why == ReasonCode::NoStableSpeedTried;

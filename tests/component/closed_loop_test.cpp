@@ -272,29 +272,30 @@ const Verdict& at(const std::vector<Verdict>& verdicts, double t) {
 }
 
 // A stable cut whose first accelerometer comes loose at 5 s and whose second falls silent at 9 s. What the sensor
-// knocks is no chatter either, in the half second before it is known to be loose.
-TEST(LooseSensor, IsNotBelievedAndSaysWhy) {
+// knocks is no chatter either, in the half second before it is known to be loose; then the other goes on alone.
+TEST(LooseSensor, IsLeftOutAndWithoutAnyOtherNothingIsJudged) {
   auto scenario = milling::loadScenario(STILLCUT_SOURCE_DIR "/resources/scenarios/loose-sensor.toml");
   ASSERT_TRUE(scenario) << scenario.error().line();
   for (const unsigned seed : {1U, 2U, 4U}) {
     scenario->seed = seed;
     const ScenarioRig cut = demoRig(*scenario);
     double t = 0.0;
-    int believedLoose = 0;
+    int judgedByNone = 0;
     cut.rig->runToEnd([&](const StepInput& input, const StepOutput& output) {
       t = sinceEpoch(input.block.end()).value;
       const Verdict& verdict = obeyed(output);
       EXPECT_FALSE(verdict.alarming()) << seed << " " << t;
-      if (t < 5.0) {
-        EXPECT_TRUE(verdict.valid) << seed << " " << t;
-      } else if (t > (seed == 1 ? 5.5 : 6.0)) {
-        believedLoose += verdict.valid ? 1 : 0;
+      if (t < 9.0) {
+        EXPECT_TRUE(verdict.valid) << seed << " " << t << " " << identifier(verdict.reason.code);
+      } else if (t > 10.0) {
+        judgedByNone += verdict.valid ? 1 : 0;
         EXPECT_TRUE(verdict.valid || verdict.reason.code == ReasonCode::InputLoose ||
-                    verdict.reason.code == ReasonCode::InputSilent)
+                    verdict.reason.code == ReasonCode::InputSilent || verdict.reason.code == ReasonCode::InputDead)
             << seed << " " << t << " " << identifier(verdict.reason.code);
       }
     });
-    EXPECT_EQ(believedLoose, 0) << seed;
+    // Beside a loose sensor that a second one is dead takes long to tell from a tool that leaves.
+    EXPECT_LT(judgedByNone, 75) << seed << ", of 200";
     EXPECT_GT(t, 11.9);
   }
 }

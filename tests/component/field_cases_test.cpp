@@ -40,18 +40,6 @@ constexpr auto kShortToday = std::to_array<Short>({
     {"slot_stable", "1 alarms, the first at 3.52 s"},
     {"axis_drive_weak", "7 alarms, the first at 3.34 s"},
     {"axis_drive_loud", "5 alarms, the first at 2.71 s"},
-    {"table_klipper", ": the sampling rate is not known: there is no time column (give it with --rate HZ)"},
-    {"table_reprapfirmware", ": the sampling rate is not known: there is no time column (give it with --rate HZ)"},
-    {"table_sensor_logger", "read at 0.000003 Hz"},
-    {"table_picoscope", "read at 3.200000 Hz"},
-    {"table_physics_toolbox", "no alarm"},
-    {"table_artis", ": the sampling rate is not known: there is no time column (give it with --rate HZ)"},
-    {"table_time_stamps", ": no rows of numbers found in its first 400 lines (is this a recording?)"},
-    {"table_siglent", ": the sampling rate is not known: there is no time column (give it with --rate HZ)"},
-    {"table_tektronix", ": the sampling rate is not known: there is no time column (give it with --rate HZ)"},
-    {"table_audacity", ": the sampling rate is not known: there is no time column (give it with --rate HZ)"},
-    {"table_one_bad_cell", ":5002: column 'X' holds 'NaN' (a finite number was expected)"},
-    {"table_cut_mid_line", ":25602: has 2 columns where 3 were expected (a damaged or truncated file)"},
 });
 
 template <class Made>

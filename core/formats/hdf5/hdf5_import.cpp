@@ -127,9 +127,11 @@ bool isLeftOpen(const std::string& path) {
   std::array<char, 9> head{};
   in.read(head.data(), head.size());
   constexpr char kVersionWithFlags = 3;
-  if (!in || head[8] < kVersionWithFlags) return false;
+  constexpr int kWriting = 0x01, kWritingBesideReaders = 0x04;
+  if (!in || head[8] != kVersionWithFlags) return false;
   in.seekg(kConsistencyFlags);
-  return in.get() > 0;
+  const int flags = in.get();
+  return flags > 0 && (flags & ~(kWriting | kWritingBesideReaders)) == 0;
 }
 
 Result<std::unique_ptr<RecordingReader>> openHdf5(const std::string& path, const std::string& inner,
