@@ -5,6 +5,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_schema.h"
+#include "core/evaluate/answer_json.h"
+#include "core/evaluate/answer_text.h"
+
 namespace stillcut::app {
 namespace {
 
@@ -46,13 +50,15 @@ void printScore(const evaluate::AlarmScore& s, double error) {
               figure(100.0 * error, "%+.2f %%").c_str(), s.falseAlarms);
 }
 
-void printRow(const evaluate::VerdictLog::Summary& s) {
+// What was not judged has no number of alarms.
+void printRow(const evaluate::VerdictLog::Summary& s, Finding finding) {
   if (s.alarms > 0) {
     std::printf("%-14s %6d %12s %11s %11s %11s %9.2f", s.detector.c_str(), s.alarms,
                 figure(s.firstAlarm_s, "%.3f s").c_str(), figure(s.alarmTime_s, "%.3f s").c_str(),
                 figure(s.chatterTime_s, "%.3f s").c_str(), figure(s.frequency_Hz, "%.1f Hz").c_str(), s.worstSeverity);
   } else {
-    std::printf("%-14s %6d %12s %11s %11s %11s %9s", s.detector.c_str(), 0, "-", "-", "-", "-", "-");
+    std::printf("%-14s %6s %12s %11s %11s %11s %9s", s.detector.c_str(), finding == Finding::NotJudged ? "-" : "0", "-",
+                "-", "-", "-", "-");
   }
 }
 
@@ -66,9 +72,23 @@ nlohmann::json scoreJson(const evaluate::AlarmScore& s, double error) {
           {"frequency_error", std::isfinite(error) ? nlohmann::json(error) : nlohmann::json()}};
 }
 
+void printAnswer(const std::string& recording, const RecordingAnswer& answer) {
+  const evaluate::AnswerWriting writing = evaluate::englishWriting();
+  std::printf("%s: %s\n", recording.c_str(), text(evaluate::findingSentence(answer, writing)).c_str());
+  std::vector<Message> lines;
+  if (answer.finding == Finding::Chatter) lines.push_back(evaluate::adviceSentence(answer.advice, writing));
+  lines.push_back(evaluate::judgedSentence(answer, writing));
+  lines.push_back(evaluate::hearingSentence(answer, writing));
+  for (Message& line : evaluate::channelSentences(answer, writing)) lines.push_back(std::move(line));
+  for (const Message& line : lines) {
+    if (!line.empty()) std::printf("  %s\n", text(line).c_str());
+  }
+}
+
 }  // namespace
 
 void printTable(const Analysis& a) {
+  printAnswer(a.recording, a.answers.front());
   std::printf("%s, %zu channel(s) at %.6g Hz, %.3f s\n", a.format.kind.c_str(), a.format.channels.size(),
               a.format.rate.value, a.format.length().value);
   for (const std::string& remark : a.remarks) std::printf("%s\n", remark.c_str());
@@ -79,7 +99,7 @@ void printTable(const Analysis& a) {
   std::printf("\n");
   for (std::size_t d = 0; d < a.detectors.size(); ++d) {
     const evaluate::VerdictLog::Summary& s = a.detectors[d];
-    printRow(s);
+    printRow(s, a.answers[d].finding);
     if (a.truth) printScore(a.scores[d], frequencyError(*a.truth, s));
     std::printf("\n");
     if (s.validTime_s <= 0.0 && !s.lastReason.empty()) {
@@ -90,7 +110,11 @@ void printTable(const Analysis& a) {
 }
 
 void printJson(const Analysis& a) {
-  nlohmann::json object{{"recording", a.recording},
+  nlohmann::json object{{"schema", kJsonSchema},
+                        {"command", "analyze"},
+                        {"type", "answer"},
+                        {"recording", a.recording},
+                        {"answer", evaluate::toJson(a.answers.front())},
                         {"kind", a.format.kind},
                         {"rate_hz", a.format.rate.value},
                         {"channels", a.format.channels.size()},
@@ -102,11 +126,17 @@ void printJson(const Analysis& a) {
   for (std::size_t d = 0; d < a.detectors.size(); ++d) {
     nlohmann::json row;
     toJson(row, a.detectors[d]);
+    evaluate::addJudged(row, a.answers[d]);
     row["score"] = a.truth ? scoreJson(a.scores[d], frequencyError(*a.truth, a.detectors[d])) : nlohmann::json();
     object["detectors"].push_back(row);
   }
+  printJsonLine(object);
+}
+
+void printJsonLine(const nlohmann::json& object) {
   // A file name may hold bytes that are no UTF-8.
-  std::printf("%s\n", object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  std::printf("%s\n", object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  std::fflush(stdout);
 }
 
 }  // namespace stillcut::app

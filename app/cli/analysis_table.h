@@ -1,7 +1,8 @@
-// What `analyze` prints: every detector's figures side by side, as a table or as JSON; against the truth where a
-// recording comes with one (recorded_truth.h).
+// What `analyze` prints: the answer, then every detector's figures side by side, as a table or as JSON; against the
+// truth where a recording comes with one (recorded_truth.h).
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/evaluate/recorded_truth.h"
 #include "core/evaluate/verdict_log.h"
 #include "core/formats/recording_reader.h"
+#include "core/model/recording_answer.h"
 
 namespace stillcut::app {
 
@@ -18,12 +20,16 @@ struct Analysis {
   record::RecordingFormat format;
   std::vector<std::string> remarks;  // what the answer rests on that nobody has told
   std::vector<evaluate::VerdictLog::Summary> detectors;
+  std::vector<RecordingAnswer> answers;  // of each detector; the first is in charge
   std::optional<evaluate::RecordedTruth> truth;
   std::vector<evaluate::AlarmScore> scores;          // of each detector, where there is a truth
   std::vector<evaluate::AutoValueLog::Entry> own{};  // what is to be told of them
 };
 
 void printTable(const Analysis& analysis);
+// One object in one line.
 void printJson(const Analysis& analysis);
+// In one line, whatever bytes a name holds, and at once.
+void printJsonLine(const nlohmann::json& object);
 
 }  // namespace stillcut::app

@@ -1,178 +1,199 @@
-// stillcut-cli analyze RECORDING ...: the detectors on a recording, side by side.
+// stillcut-cli analyze RECORDING ...: the detectors on recordings, side by side, and what to do about the chatter.
+// Exit codes: 0 no chatter, 1 chatter (with --strict: or not judged), 2 a recording cannot be read.
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/analysis_table.h"
+#include "app/cli/analyze_options.h"
 #include "app/cli/command.h"
-#include "app/cli/out_path.h"
-#include "app/cli/reading_options.h"
-#include "app/cli/setting_options.h"
-#include "app/compose/recording_rig.h"
-#include "core/detect/registry.h"
-#include "core/evaluate/auto_value_log.h"
+#include "app/cli/standard_input.h"
+#include "core/base/json_schema.h"
+#include "core/evaluate/audacity_labels.h"
 #include "core/evaluate/series_log.h"
-#include "core/evaluate/verdict_log.h"
 #include "core/storage/atomic_file.h"
 
 namespace stillcut::app {
 namespace {
 
-constexpr int kMostTeeth = 64;
-constexpr double kHighestSpeed = 1e6;  // [rpm]
+// One recording on its way through the detectors.
+class Course {
+ public:
+  Course(const AnalyzeOptions& given, const RecordingRig& built, const std::string& recording)
+      : given_(given), recording_(recording), judge_(built.rig->chain(), built.judged) {
+    for (const auto& detector : built.rig->chain().parts().detectors) infos_.push_back(detector->describe());
+  }
 
-struct AnalyzeOptions {
-  std::string recording, speedLog, detector, events, series;
-  int teeth = 0;
-  double speed = 0.0;
-  bool json = false, values = false, truth = false, teethGiven = false, speedGiven = false;
-  ReadingOptions reading;
-  SettingOptions settings;
+  void observe(const StepInput& in, const StepOutput& out) {
+    judge_.observe(in, out);
+    const Instant begin = *judge_.begin();
+    if (!series_ && !given_.series.empty()) series_.emplace(infos_, begin);
+    if (series_) series_->observe({out.verdicts.data(), judge_.detectors()});
+    const Verdict& inCharge = out.verdicts.front();
+    labels_.observe(secondsBetween(begin, inCharge.time), Seconds(in.block.frames / in.block.rate.value), inCharge);
+    if (given_.lines) printChanges();
+  }
+
+  // All or none.
+  Status writeFiles() const {
+    nlohmann::json array = nlohmann::json::array();
+    for (std::size_t d = 0; d < judge_.detectors(); ++d) judge_.log(d).appendEvents(array);
+    const std::string events = given_.outPath(given_.events, recording_, ".events.json");
+    const std::string labels = given_.outPath(given_.labels, recording_, ".labels.txt");
+    const std::string series = given_.outPath(given_.series, recording_, ".series.csv");
+    std::vector<std::string> written;
+    const auto write = [&](const std::string& path, auto how) {
+      if (path.empty()) return Status(Done{});
+      Status s = how(path);
+      if (s) written.push_back(path);
+      if (!s) std::for_each(written.begin(), written.end(), [](const std::string& w) { std::remove(w.c_str()); });
+      return s;
+    };
+    if (Status s = write(events, [&](const auto& p) { return writeFileAtomically(p, array.dump(1) + "\n"); }); !s)
+      return s;
+    if (Status s = write(labels, [&](const auto& p) { return writeFileAtomically(p, labels_.text()); }); !s) return s;
+    return series_ ? write(series, [&](const auto& p) { return series_->write(p); }) : Status(Done{});
+  }
+
+  const evaluate::RecordingJudge& judge() const { return judge_; }
+
+ private:
+  void printChanges() {
+    printed_.resize(judge_.detectors());
+    for (std::size_t d = 0; d < judge_.detectors(); ++d) {
+      nlohmann::json changes = nlohmann::json::array();
+      judge_.log(d).appendEvents(changes, printed_[d]);
+      printed_[d] = judge_.log(d).changes();
+      for (nlohmann::json& change : changes) {
+        change["schema"] = kJsonSchema;
+        change["command"] = "analyze";
+        change["type"] = "change";
+        change["recording"] = recording_;
+        printJsonLine(change);
+      }
+    }
+  }
+
+  const AnalyzeOptions& given_;
+  std::string recording_;
+  evaluate::RecordingJudge judge_;
+  std::vector<detect::DetectorInfo> infos_;
+  std::optional<evaluate::SeriesLog> series_;
+  evaluate::AudacityLabels labels_;
+  std::vector<std::size_t> printed_;  // changes of each detector
 };
-
-std::vector<std::string> detectorsFor(const std::string& wanted, const std::string& configured) {
-  const std::string inCharge = configured.empty() ? std::string(detect::kDefaultDetector) : configured;
-  if (wanted.empty()) return {inCharge};
-  if (wanted != "all") return {wanted};
-  std::vector<std::string> all{inCharge};
-  for (const auto& row : detect::detectorTable()) {
-    if (row.id != inCharge) all.emplace_back(row.id);
-  }
-  return all;
-}
-
-Status checkOptions(const AnalyzeOptions& given) {
-  if (given.teethGiven && (given.teeth < 1 || given.teeth > kMostTeeth)) {
-    return Error{"--teeth", message("%1 is out of range", std::to_string(given.teeth)),
-                 message("allowed: 1 to %1", std::to_string(kMostTeeth))};
-  }
-  if (given.speedGiven && !(given.speed > 0.0 && given.speed <= kHighestSpeed)) {
-    return Error{"--speed", message("the speed must be above zero and at most 1e6 rpm")};
-  }
-  if (Status events = checkOutPath(given.events, given.recording); !events) return events;
-  if (Status series = checkOutPath(given.series, given.recording); !series) return series;
-  if (!given.events.empty() && given.events == given.series) {
-    return Error{given.events, message("cannot be written"), message("--events and --series name the same file")};
-  }
-  return Done{};
-}
-
-Result<RecordingOptions> understand(const AnalyzeOptions& given) {
-  if (const Status usable = checkOptions(given); !usable) return usable.error();
-  RecordingOptions options;
-  options.teeth = given.teeth;
-  options.speed = Rpm(given.speed);
-  auto reading = given.reading.understand();
-  if (!reading) return reading.error();
-  options.read = std::move(reading).value();
-  if (!given.speedLog.empty()) {
-    auto log = readSpeedLog(given.speedLog);
-    if (!log) return log.error();
-    options.log = std::move(log).value();
-  }
-  auto settings = given.settings.read();
-  if (!settings) return settings.error();
-  options.methods.detectors = detectorsFor(given.detector, settings->detector);
-  options.params = std::move(settings->params);
-  return options;
-}
 
 // What the answer rests on that nobody has told.
 std::vector<std::string> remarks(const CutSetup& setup, const record::RecordingFormat& format, bool measuredSpeed,
-                                 const std::vector<evaluate::VerdictLog>& logs) {
+                                 double spindle_Hz) {
   std::vector<std::string> lines;
   for (const Message& note : format.notes) lines.push_back(text(note));
   if (setup.teeth <= 0) lines.emplace_back("teeth not told (--teeth): judged by spindle harmonics alone");
   if (setup.nominalSpeed.value > 0.0 || measuredSpeed) return lines;
-  const double found_Hz = logs.empty() ? 0.0 : logs.front().summary().spindle_Hz;
   char text[96];
-  std::snprintf(text, sizeof text, "taken from the signal, on average %.0f rpm", 60.0 * found_Hz);
+  std::snprintf(text, sizeof text, "taken from the signal, on average %.0f rpm", 60.0 * spindle_Hz);
   lines.push_back("speed not told (--speed, --speed-log): " +
-                  std::string(found_Hz > 0.0 ? text : "none found in the signal, nothing can be judged against it"));
+                  std::string(spindle_Hz > 0.0 ? text : "none found in the signal, nothing can be judged against it"));
   return lines;
 }
 
-// Both or neither.
-Status writeFiles(const AnalyzeOptions& given, const std::vector<evaluate::VerdictLog>& logs,
-                  const std::optional<evaluate::SeriesLog>& series) {
-  if (!given.events.empty()) {
-    nlohmann::json array = nlohmann::json::array();
-    for (const evaluate::VerdictLog& log : logs) log.appendEvents(array);
-    if (Status s = writeFileAtomically(given.events, array.dump(1) + "\n"); !s) return s;
+struct Answered {
+  Analysis analysis;
+  Finding finding = Finding::NotJudged;
+};
+
+// `path`: where the recording is read, `recording`: as it was named.
+Result<Answered> analyzeOne(const AnalyzeOptions& given, const RecordingOptions& options, const std::string& path,
+                            const std::string& recording) {
+  auto built = buildRecordingRig(path, options);
+  if (!built) return built.error();
+  Rig& rig = *built->rig;
+  auto truth = given.truth ? evaluate::truthOf(path) : evaluate::truthIn(path);
+  if (!truth && given.truth) return truth.error();
+  Course course(given, *built, recording);
+  rig.runToEnd([&](const StepInput& in, const StepOutput& out) { course.observe(in, out); });
+  if (const Message fault = rig.device().fault(); !fault.empty()) return Error{{}, fault};
+  const evaluate::RecordingJudge& judge = course.judge();
+  if (!judge.begin()) return Error{recording, message("holds no samples")};
+  if (const Status s = course.writeFiles(); !s) return s.error();
+
+  Answered answered;
+  Analysis& a = answered.analysis;
+  a.recording = recording;
+  a.format = built->format;
+  a.remarks = remarks(rig.setup(), built->format, !options.log.empty(), judge.summary(0).spindle_Hz);
+  if (!truth) a.remarks.push_back("without the truth beside it: " + truth.error().line());
+  if (truth) a.truth = std::move(truth).value();
+  for (std::size_t d = 0; d < judge.detectors(); ++d) {
+    a.detectors.push_back(judge.summary(d));
+    a.answers.push_back(judge.answer(d));
+    if (a.truth) a.scores.push_back(evaluate::scoreAlarms(a.truth->spans, judge.alarms(d).alarms()));
   }
-  if (series) {
-    if (Status s = series->write(given.series); !s) {
-      if (!given.events.empty()) std::remove(given.events.c_str());
-      return s;
-    }
-  }
-  return Done{};
+  if (given.values || given.json) a.own = judge.ownValues();
+  answered.finding = a.answers.front().finding;
+  return answered;
+}
+
+// A name that stands for itself in messages: what was read from the standard input has none of its own.
+Error named(Error error, const std::string& path, const std::string& recording) {
+  std::string& where = error.where.verbatim;
+  if (recording != path && where.starts_with(path)) where = recording + where.substr(path.size());
+  return error;
+}
+
+void printError(const std::string& recording, const Error& error) {
+  printJsonLine({{"schema", kJsonSchema},
+                 {"command", "analyze"},
+                 {"type", "error"},
+                 {"recording", recording},
+                 {"error", error.line()}});
+}
+
+int exitCodeOf(Finding finding, bool strict) {
+  if (finding == Finding::Chatter) return kExitChatter;
+  return strict && finding == Finding::NotJudged ? kExitChatter : kExitDone;
 }
 
 int analyze(const AnalyzeOptions& given) {
-  const auto options = understand(given);
+  const auto options = given.understand();
   if (!options) return fail(options.error());
-  auto built = buildRecordingRig(given.recording, *options);
-  if (!built) return fail(built.error());
-  Rig& rig = *built->rig;
-
-  auto truth = given.truth ? evaluate::truthOf(given.recording) : evaluate::truthIn(given.recording);
-  if (!truth) return fail(truth.error());
-  std::vector<detect::DetectorInfo> infos;
-  for (const auto& detector : rig.chain().parts().detectors) infos.push_back(detector->describe());
-  std::vector<evaluate::VerdictLog> logs;
-  std::vector<evaluate::AlarmList> alarms(infos.size());
-  std::optional<evaluate::SeriesLog> series;
-  std::optional<Instant> begin;
-  evaluate::AutoValueLog own(rig.chain());
-  rig.runToEnd([&](const StepInput& in, const StepOutput& out) {
-    if (!begin) {
-      begin = in.block.firstSample;
-      for (const auto& info : infos) logs.emplace_back(info.id, *begin);
-      if (!given.series.empty()) series.emplace(infos, *begin);
+  if (given.lines && !given.json) return fail({"--lines", message("needs --json")});
+  const bool several = given.recordings.size() > 1;
+  int code = kExitDone;
+  for (const std::string& recording : given.recordings) {
+    std::optional<StandardInput> kept;
+    if (recording == "-") {
+      auto input = StandardInput::keep();
+      if (!input) return fail(input.error());
+      kept.emplace(std::move(input).value());
     }
-    for (std::size_t d = 0; d < logs.size(); ++d) {
-      logs[d].observe(out.verdicts[d]);
-      alarms[d].observe(secondsBetween(*begin, out.verdicts[d].time), out.verdicts[d]);
+    const std::string path = kept ? kept->path() : recording;
+    const auto answered = analyzeOne(given, *options, path, recording);
+    if (!answered) {
+      const Error error = named(answered.error(), path, recording);
+      if (given.json && several) printError(recording, error);
+      code = std::max(code, fail(error));
+      continue;
     }
-    if (series) series->observe({out.verdicts.data(), logs.size()});
-    own.observe();
-  });
-  if (const Message fault = rig.device().fault(); !fault.empty()) return fail(Error{{}, fault});
-
-  if (const Status s = writeFiles(given, logs, series); !s) return fail(s.error());
-  Analysis analysis{
-      given.recording, built->format, remarks(rig.setup(), built->format, !options->log.empty(), logs), {}, {}, {}};
-  analysis.truth = std::move(truth).value();
-  for (std::size_t d = 0; d < logs.size(); ++d) {
-    analysis.detectors.push_back(logs[d].summary());
-    if (analysis.truth) analysis.scores.push_back(evaluate::scoreAlarms(analysis.truth->spans, alarms[d].alarms()));
+    given.json ? printJson(answered->analysis) : printTable(answered->analysis);
+    if (several && !given.json) std::printf("\n");
+    code = std::max(code, exitCodeOf(answered->finding, given.strict));
   }
-  if (given.values || given.json) analysis.own = own.entries();
-  given.json ? printJson(analysis) : printTable(analysis);
-  return kExitDone;
+  return code;
 }
 
 }  // namespace
 
 void addAnalyze(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<AnalyzeOptions>();
-  CLI::App* command = app.add_subcommand("analyze", "Run the detectors on a recording");
-  command->add_option("RECORDING", o->recording, "Sound file, text table, or Stillcut session")->required();
-  auto* teeth = command->add_option("--teeth", o->teeth, "Number of teeth");
-  auto* speed = command->add_option("--speed", o->speed, "Spindle speed as programmed [rpm]");
-  command->add_option("--speed-log", o->speedLog, "Measured spindle speed: CSV with the header t,rpm")->excludes(speed);
-  o->reading.add(*command);
-  command->add_option("--detector", o->detector, "Detector id, or all");
-  command->add_option("--events", o->events, "Write every change of state to OUT.json");
-  command->add_option("--series", o->series, "Write the indicators of every block to OUT.csv");
-  command->add_flag("--values", o->values, "Also print what the program set itself, and why");
-  command->add_flag("--truth", o->truth, "Compare with what is known of it: TRUTH.csv or NAME_truth.csv beside it");
-  command->add_flag("--json", o->json, "Print one JSON object");
-  o->settings.add(*command);
-  command->callback([o, teeth, speed, &exitCode] {
-    o->teethGiven = teeth->count() > 0;
-    o->speedGiven = speed->count() > 0;
+  CLI::App* command = app.add_subcommand("analyze", "Tell whether recordings hold chatter, and which speed helps");
+  command->footer("Exit codes: 0 no chatter, 1 chatter (with --strict also: not judged), 2 cannot be read");
+  o->add(*command);
+  command->callback([o, command, &exitCode] {
+    o->teethGiven = command->count("--teeth") > 0;
+    o->speedGiven = command->count("--speed") > 0;
     exitCode = analyze(*o);
   });
 }

@@ -1,5 +1,6 @@
 // What every command of stillcut-cli shares: it registers itself as a CLI11 subcommand and leaves its exit code.
-// Exit codes: 0 done, 2 wrong usage or unreadable input (one line on stderr), 3 a device or machine failed.
+// Exit codes: 0 done, 1 chatter was found (`analyze`), 2 wrong usage or unreadable input (one line on stderr), 3 a
+// device or machine failed.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 namespace stillcut::app {
 
 inline constexpr int kExitDone = 0;
+inline constexpr int kExitChatter = 1;
 inline constexpr int kExitInput = 2;
 inline constexpr int kExitDevice = 3;
 

@@ -29,9 +29,9 @@ Result<Settings> readConfig(const std::string& path, const config::ParamCatalog&
 
 }  // namespace
 
-Result<Settings> SettingOptions::read() const {
+Result<Settings> SettingOptions::read(const config::ParamSet& base) const {
   const config::ParamCatalog catalog = pipeline::fullCatalog();
-  Settings result;
+  Settings result{base, ""};
   if (!config.empty()) {
     auto loaded = readConfig(config, catalog);
     if (!loaded) return loaded.error();

@@ -21,8 +21,8 @@ struct SettingOptions {
   std::string config;
 
   void add(CLI::App& command);
-  // Defaults, then the file, then --set.
-  Result<Settings> read() const;
+  // `base` (defaults, or those of a profile), then the file, then --set.
+  Result<Settings> read(const config::ParamSet& base = {}) const;
 };
 
 }  // namespace stillcut::app

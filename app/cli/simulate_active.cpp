@@ -9,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/compose/active_run.h"
+#include "core/base/json_schema.h"
 #include "core/formats/sound/wav_reader.h"
 
 namespace stillcut::app {
@@ -39,7 +40,9 @@ json toJson(const ActiveResult& result, const milling::Scenario& scenario) {
     lines.push_back({{"axis", a.axis}, {"frequency_hz", a.frequency}, {"db", a.db}});
   }
   // Speeds and feeds stay as programmed; nothing is detected or commanded on the way to the machine.
-  return {{"scenario", scenario.name},
+  return {{"schema", kJsonSchema},
+          {"command", "simulate"},
+          {"scenario", scenario.name},
           {"strategy", "active"},
           {"outcome", result.chatterControlled ? "chatter" : "stable"},
           {"chatter_alone", result.chatterAlone},

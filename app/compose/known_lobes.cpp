@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/milling/stability/advice.h"
+#include "core/milling/stability/exact_lobes.h"
 #include "core/milling/stability/lobe_case.h"
 
 namespace stillcut::app {
@@ -58,6 +59,22 @@ Result<std::optional<StableSpeeds>> stableSpeeds(const config::Profile& profile,
   const auto advice = milling::adviseSpeeds(cut->model, request, modelPath);
   if (!advice) return advice.error();
   return std::optional(known(*advice, request.depth));
+}
+
+Result<Metres> stableDepth(const config::Profile& profile, const std::string& modelPath, Rpm speed) {
+  constexpr double kSearched = 4.0;  // times the profile's depth
+  if (profile.model.empty() || !profile.pitch.empty() || !(speed.value > 0.0)) return Metres();
+  const auto cut = milling::loadLobeCase(modelPath);
+  if (!cut) return cut.error();
+  const auto lobes = milling::ExactLobes::make(cut->model, modelPath);
+  if (!lobes) return lobes.error();
+  milling::LimitOptions options;
+  options.maxAxialDepth = profile.depth.value > 0.0 ? profile.depth * kSearched : cut->maxAxialDepth;
+  options.firstOnly = true;
+  options.frequencies = false;
+  const auto limits = lobes->limits(speed, options);
+  if (!limits) return limits.error();
+  return limits->hasLimit() ? limits->crossings.front().depth : Metres();
 }
 
 Result<config::SpeedRange> speedsInReach(const config::Profile& profile, const std::string& where) {

@@ -22,6 +22,10 @@ std::optional<StableSpeeds> stableSpeeds(const milling::Scenario& scenario);
 // changed. Error: the file cannot be read, is no cut, or contradicts the profile.
 Result<std::optional<StableSpeeds>> stableSpeeds(const config::Profile& profile, const std::string& modelPath);
 
+// The largest stable depth at one speed, by the profile's model. 0: it names no model, or nothing limits the depth as
+// far as four times the profile's own is looked at.
+Result<Metres> stableDepth(const config::Profile& profile, const std::string& modelPath, Rpm speed);
+
 // What the profile's limits leave around its programmed speed, before a machine has said more. Error: they contradict
 // one another; `where` names the profile.
 Result<config::SpeedRange> speedsInReach(const config::Profile& profile, const std::string& where);

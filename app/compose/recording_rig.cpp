@@ -1,10 +1,12 @@
 #include "app/compose/recording_rig.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "app/compose/run_text.h"
 #include "core/daq/replay_source.h"
+#include "core/evaluate/channel_survey.h"
 #include "core/evaluate/scenario_reader.h"
 #include "core/pipeline/catalog.h"
 #include "core/session/open_recording.h"
@@ -13,6 +15,13 @@ namespace stillcut::app {
 namespace {
 
 constexpr double kBlock_s = 0.005;  // of imported files: how fine their verdicts are in time
+constexpr Hertz kSlowest{100.0};    // nothing below it can be judged
+
+std::string shownRate(Hertz rate) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", rate.value);
+  return text;
+}
 
 // A session: machine state and operator inputs come with each block, as they were. `chosen`: parameters that whoever
 // runs it again has chosen; what was made of them during the cut is left out.
@@ -75,24 +84,72 @@ Rpm middleSpeed(std::vector<pipeline::SpeedLogSource::Point> log) {
   return middle->speed;
 }
 
-}  // namespace
-
-Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options) {
-  auto reader = evaluate::openCut(path, options.read);
-  if (!reader) return reader.error();
-  const record::RecordingFormat format = (*reader)->format();
+Status checkFormat(const std::string& path, const record::RecordingFormat& format) {
   if (format.blocks > 0 && format.frames == 0) {
     return Error{path, message("holds no samples"),
                  message("a history of features; detectors need the samples themselves")};
   }
+  if (format.rate < kSlowest) {
+    return Error{path, message("%1 samples a second are too few for vibration", shownRate(format.rate)),
+                 message("at least 100 are needed; is its time not in seconds? --rate HZ gives another rate")};
+  }
+  return Done{};
+}
+
+// The reader at its beginning, of the channels that may be judged.
+struct Opened {
+  std::unique_ptr<record::RecordingReader> reader;
+  record::ReadOptions read;  // with which it was opened in the end
+  std::vector<LeftOutChannel> leftOut;
+};
+
+Result<Opened> openChannels(const std::string& path, const record::ReadOptions& read) {
+  auto reader = evaluate::openCut(path, read);
+  if (!reader) return reader.error();
+  const record::RecordingFormat& format = (*reader)->format();
+  if (const Status usable = checkFormat(path, format); !usable) return usable.error();
+  Opened opened{nullptr, read, {}};
+  const bool ours = format.setup.has_value();
+  if (ours || !read.channels.empty()) {
+    opened.reader = std::move(reader).value();
+    return opened;
+  }
+  auto leftOut = evaluate::surveyChannels(**reader);
+  if (!leftOut) return leftOut.error();
+  opened.leftOut = std::move(leftOut).value();
+  if (!opened.leftOut.empty()) {
+    for (int c = 0; c < static_cast<int>(format.channels.size()); ++c) {
+      const bool out = std::any_of(opened.leftOut.begin(), opened.leftOut.end(),
+                                   [c](const LeftOutChannel& channel) { return channel.index == c; });
+      if (!out) opened.read.channels.push_back(c);
+    }
+  }
+  const auto back = opened.leftOut.empty() ? (*reader)->seek(Instant{}) : Result<bool>(false);
+  if (back && *back) {
+    opened.reader = std::move(reader).value();
+    return opened;
+  }
+  auto again = evaluate::openCut(path, opened.read);
+  if (!again) return again.error();
+  opened.reader = std::move(again).value();
+  return opened;
+}
+
+}  // namespace
+
+Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options) {
+  auto opened = openChannels(path, options.read);
+  if (!opened) return opened.error();
+  const record::RecordingFormat format = opened->reader->format();
 
   daq::ReplayOptions replay;
   replay.blockFrames = std::max(1, static_cast<int>(format.rate.value * kBlock_s));
-  controlBy(options.hand, path, options.read, replay);
-  auto source = std::make_unique<daq::ReplaySource>(std::move(reader).value(), replay);
+  controlBy(options.hand, path, opened->read, replay);
+  auto source = std::make_unique<daq::ReplaySource>(std::move(opened->reader), replay);
 
   RigSpec spec;
   if (format.setup) spec.setup = *format.setup;
+  if (options.stableSpeeds) spec.setup.stableSpeeds = options.stableSpeeds;
   if (options.teeth > 0) spec.setup.teeth = options.teeth;
   if (options.speed.value > 0.0) spec.setup.nominalSpeed = options.speed;
   if (!options.log.empty()) spec.setup.nominalSpeed = middleSpeed(options.log);
@@ -111,7 +168,9 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   spec.watched = options.hand.control != nullptr;
   auto rig = Rig::build(std::move(spec));
   if (!rig) return rig.error();
-  return RecordingRig{std::move(rig).value(), format};
+  evaluate::JudgedRecording judged{(*rig)->setup(), opened->read.channels, std::move(opened->leftOut), options.reach,
+                                   options.depthLimit};
+  return RecordingRig{std::move(rig).value(), format, std::move(judged)};
 }
 
 Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayPacing& hand) {
@@ -138,7 +197,9 @@ Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayPacing&
   spec.watched = hand.control != nullptr;
   auto rig = Rig::build(std::move(spec));
   if (!rig) return rig.error();
-  return RecordingRig{std::move(rig).value(), format};
+  evaluate::JudgedRecording judged;
+  judged.setup = (*rig)->setup();
+  return RecordingRig{std::move(rig).value(), format, std::move(judged)};
 }
 
 }  // namespace stillcut::app

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/compose/rig.h"
 #include "core/daq/replay_control.h"
+#include "core/evaluate/recording_judge.h"
 #include "core/formats/recording_reader.h"
 
 namespace stillcut::app {
@@ -27,15 +29,20 @@ struct RecordingOptions {
   std::vector<pipeline::SpeedLogSource::Point> log;  // measured speed; empty: none
   Methods methods{.detectors = {"energy-ratio"}, .fallback = {}, .strategy = "monitor"};
   config::ParamSet params;
+  std::optional<StableSpeeds> stableSpeeds;  // by the lobes, where a profile knows them
+  config::SpeedRange reach;                  // of the spindle, where a profile says it
+  Metres depthLimit{};                       // of `speed`, by the lobes; 0: not known
   ReplayPacing hand;
 };
 
 struct RecordingRig {
   std::unique_ptr<Rig> rig;
   record::RecordingFormat format;
+  evaluate::JudgedRecording judged;  // what a RecordingJudge of this rig needs to know
 };
 
-// `path`: any recording, or a scenario (.toml), whose cut is then simulated with nobody at the overrides.
+// `path`: any recording, or a scenario (.toml), whose cut is then simulated with nobody at the overrides. Channels of
+// foreign files that are no vibration by what they hold are left out, unless channels are named in `read`.
 Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options);
 
 // A session, decided again: its own methods, parameters, limits and leave for Auto, its machine states and operator

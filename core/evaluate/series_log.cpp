@@ -23,6 +23,8 @@ SeriesLog::SeriesLog(std::span<const detect::DetectorInfo> detectors, Instant be
     for (std::string_view indicator : info.indicators) {
       text_.append(",").append(info.id).append(".").append(indicator);
     }
+    for (const char* column : {"state", "valid", "speed_rpm"})
+      text_.append(",").append(info.id).append(".").append(column);
   }
   text_ += '\n';
 }
@@ -35,6 +37,9 @@ void SeriesLog::observe(std::span<const Verdict> verdicts) {
       text_ += ',';
       append(text_, verdicts[d].indicators[i]);
     }
+    const Verdict& v = verdicts[d];
+    text_.append(",").append(name(v.state)).append(v.valid ? ",1," : ",0,");
+    if (v.spindle.value > 0.0) append(text_, toRpm(v.spindle).value);
   }
   text_ += '\n';
 }

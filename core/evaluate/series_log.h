@@ -1,4 +1,6 @@
-// SeriesLog: the `--series` file. CSV with a header, first column t, then DETECTOR.NAME, one row per block.
+// SeriesLog: the `--series` file. CSV with a header, first column t, then DETECTOR.NAME, one row per block. Of each
+// detector its indicators, then state (air, stable, onset, chatter), valid (1, 0: the state of that row was not judged)
+// and speed_rpm, the spindle speed it used (empty: unknown).
 // Thread: one; not the sample path.
 #pragma once
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_schema.h"
+
 namespace stillcut::evaluate {
 namespace {
 
@@ -161,7 +163,9 @@ SimulationReport report(const SimulationHistory& controlled, const SimulationHis
 }
 
 nlohmann::json toJson(const SimulationReport& r) {
-  return {{"scenario", r.scenario},
+  return {{"schema", kJsonSchema},
+          {"command", "simulate"},
+          {"scenario", r.scenario},
           {"strategy", r.strategy},
           {"outcome", r.outcome},
           {"alarm_delay_s", number(r.alarmDelay)},

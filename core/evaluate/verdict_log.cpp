@@ -42,8 +42,9 @@ void VerdictLog::observe(const Verdict& verdict) {
   started_ = true;
 }
 
-void VerdictLog::appendEvents(nlohmann::json& array) const {
-  for (const Verdict& v : changes_) {
+void VerdictLog::appendEvents(nlohmann::json& array, std::size_t first) const {
+  for (std::size_t i = first; i < changes_.size(); ++i) {
+    const Verdict& v = changes_[i];
     array.push_back({{"t", secondsBetween(begin_, v.time).value},
                      {"detector", detector_},
                      {"state", std::string(name(v.state))},

@@ -22,8 +22,9 @@ class VerdictLog {
   // Keeps the verdict when state, phase, validity, reason or warning changed since the last one.
   void observe(const Verdict& verdict);
 
-  // Appends one object per change.
-  void appendEvents(nlohmann::json& array) const;
+  // Appends one object per change, from number `first` on.
+  void appendEvents(nlohmann::json& array, std::size_t first = 0) const;
+  std::size_t changes() const { return changes_.size(); }
 
   struct Summary {
     std::string detector;

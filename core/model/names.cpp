@@ -5,6 +5,7 @@
 #include "core/model/channel.h"
 #include "core/model/machine_state.h"
 #include "core/model/operator_input.h"
+#include "core/model/recording_answer.h"
 #include "core/model/verdict.h"
 
 namespace stillcut {
@@ -82,6 +83,16 @@ std::string_view name(OverrideInhibit block) {
       "feed-locked",   "adaptive-locked", "other-client",  "control-refused", "component-silent", "component-down",
       "component-out", "starting"};
   return kNames[static_cast<std::size_t>(block) % kNames.size()];
+}
+
+std::string_view name(Finding f) {
+  constexpr std::array<std::string_view, 3> kNames{"not-judged", "no-chatter", "chatter"};
+  return kNames[static_cast<std::size_t>(f)];
+}
+
+std::string_view name(SpeedBasis b) {
+  constexpr std::array<std::string_view, 3> kNames{"whole-waves", "half-wave", "lobes"};
+  return kNames[static_cast<std::size_t>(b)];
 }
 
 }  // namespace stillcut

@@ -34,9 +34,10 @@ class Analyze : public testing::Test {
     Arguments arguments{"analyze", recording, "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome run = runCli(folder_ / "", arguments);
-    EXPECT_EQ(run.exitCode, 0) << spelled(arguments) << "\n" << run.err;
-    EXPECT_EQ(run.err, "");
-    return json::parse(run.out, nullptr, false);
+    EXPECT_EQ(run.err, "") << spelled(arguments);
+    json answer = json::parse(run.out, nullptr, false);
+    EXPECT_EQ(run.exitCode, answer["answer"]["finding"] == "chatter" ? 1 : 0) << spelled(arguments);
+    return answer;
   }
   static Arguments told(Arguments more = {}) {
     Arguments all{"--teeth", "4", "--speed", "8500", "--quantity", "acceleration"};
@@ -213,6 +214,7 @@ TEST_F(Analyze, SeriesHasOneRowPerBlockAndTheNamedColumns) {
   ASSERT_TRUE(std::getline(table, line));
   EXPECT_TRUE(line.starts_with("t,energy-ratio.er,energy-ratio.frequency_hz")) << line;
   const auto columns = std::count(line.begin(), line.end(), ',');
+  EXPECT_THAT(line, testing::EndsWith("energy-ratio.state,energy-ratio.valid,energy-ratio.speed_rpm"));
   int rows = 0;
   double t = 0.0;
   while (std::getline(table, line)) {
@@ -261,7 +263,7 @@ TEST_F(Analyze, SaysWhatNobodyToldIt) {
   EXPECT_THAT(answer["remarks"][0].get<std::string>(), testing::HasSubstr("--teeth"));
   EXPECT_THAT(answer["remarks"][1].get<std::string>(), testing::HasSubstr("--speed"));
   const Outcome text = runCli(folder_ / "", {"analyze", "cut.wav"});
-  EXPECT_EQ(text.exitCode, 0);
+  EXPECT_LE(text.exitCode, 1);
   EXPECT_THAT(text.out, testing::HasSubstr("speed not told"));
 }
 
