@@ -1,4 +1,4 @@
-#include "app/compose/recording_answer.h"
+#include "app/compose/recording/recording_answer.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/cli/analyze_options.h"
+#include "app/cli/analyze/analyze_options.h"
 
 #include <filesystem>
 #include <utility>

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/analysis_table.h"
-#include "app/cli/analyze_options.h"
+#include "app/cli/analyze/analysis_table.h"
+#include "app/cli/analyze/analyze_options.h"
+#include "app/cli/analyze/standard_input.h"
 #include "app/cli/command.h"
-#include "app/cli/standard_input.h"
 #include "core/base/json_schema.h"
 #include "core/evaluate/audacity_labels.h"
 #include "core/evaluate/series_log.h"

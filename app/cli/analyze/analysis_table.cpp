@@ -1,4 +1,4 @@
-#include "app/cli/analysis_table.h"
+#include "app/cli/analyze/analysis_table.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "app/cli/standard_input.h"
+#include "app/cli/analyze/standard_input.h"
 
 #include <fcntl.h>
 #include <unistd.h>
