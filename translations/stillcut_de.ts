@@ -4903,6 +4903,138 @@
         <source>write s, ms, us or ns, or give --rate HZ</source>
         <translation>s, ms, us oder ns schreiben oder --rate HZ angeben</translation>
     </message>
+    <message>
+        <source>%1 s of air</source>
+        <translation>%1 s Luft</translation>
+    </message>
+    <message>
+        <source>%1 samples a second are too few for vibration</source>
+        <translation>%1 Abtastwerte je Sekunde sind zu wenig für Schwingungen</translation>
+    </message>
+    <message>
+        <source>%1; take %2</source>
+        <translation>%1; nehmen Sie %2</translation>
+    </message>
+    <message>
+        <source>at least 100 are needed; is its time not in seconds? --rate HZ gives another rate</source>
+        <translation>mindestens 100 sind nötig; ist die Zeit nicht in Sekunden? --rate HZ gibt eine andere Rate an</translation>
+    </message>
+    <message>
+        <source>channel %1 (%2) is no vibration and was left out: %3</source>
+        <translation>Kanal %1 (%2) ist keine Schwingung und blieb weg: %3</translation>
+    </message>
+    <message>
+        <source>channel %1 (%2) was not in order for %3 s: %4</source>
+        <translation>Kanal %1 (%2) war %3 s nicht in Ordnung: %4</translation>
+    </message>
+    <message>
+        <source>chatter at %1 Hz from %2 s on</source>
+        <translation>Rattern bei %1 Hz ab %2 s</translation>
+    </message>
+    <message>
+        <source>chatter from %1 s on</source>
+        <translation>Rattern ab %1 s</translation>
+    </message>
+    <message>
+        <source>chatter is found up to %1 Hz</source>
+        <translation>Rattern wird bis %1 Hz gefunden</translation>
+    </message>
+    <message>
+        <source>it grows evenly and falls back, as an angle or a counter does</source>
+        <translation>er wächst gleichmäßig und fällt zurück, wie ein Winkel oder ein Zähler</translation>
+    </message>
+    <message>
+        <source>it is constant</source>
+        <translation>er ist konstant</translation>
+    </message>
+    <message>
+        <source>it knows two values only, as a tacho or a switch does</source>
+        <translation>er kennt nur zwei Werte, wie ein Drehgeber oder ein Schalter</translation>
+    </message>
+    <message>
+        <source>it only counts, as a row number or a time does</source>
+        <translation>er zählt nur, wie eine Zeilennummer oder eine Zeit</translation>
+    </message>
+    <message>
+        <source>judged %1 of %2 s</source>
+        <translation>%1 von %2 s beurteilt</translation>
+    </message>
+    <message>
+        <source>judged %1 of %2 s; the rest: %3</source>
+        <translation>%1 von %2 s beurteilt; der Rest: %3</translation>
+    </message>
+    <message>
+        <source>learning the stable cut</source>
+        <translation>der stabile Schnitt wird gelernt</translation>
+    </message>
+    <message>
+        <source>less depth</source>
+        <translation>weniger Tiefe</translation>
+    </message>
+    <message>
+        <source>less than %1 mm of depth</source>
+        <translation>weniger als %1 mm Tiefe</translation>
+    </message>
+    <message>
+        <source>no chatter</source>
+        <translation>kein Rattern</translation>
+    </message>
+    <message>
+        <source>no speed follows while the number of teeth is not known</source>
+        <translation>ohne die Zahl der Schneiden folgt keine Drehzahl</translation>
+    </message>
+    <message>
+        <source>no speed follows while the spindle speed is not known</source>
+        <translation>ohne die Spindeldrehzahl folgt keine Drehzahl</translation>
+    </message>
+    <message>
+        <source>no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rev/min would be</source>
+        <translation>keine erreichbare Drehzahl ist bei %1 mm Tiefe stabil, %2 mm bei %3 U/min wären es</translation>
+    </message>
+    <message>
+        <source>no stable speed lies between %1 and %2 rev/min</source>
+        <translation>zwischen %1 und %2 U/min liegt keine stabile Drehzahl</translation>
+    </message>
+    <message>
+        <source>not judged: %1</source>
+        <translation>nicht beurteilt: %1</translation>
+    </message>
+    <message>
+        <source>not judged: no cut was heard</source>
+        <translation>nicht beurteilt: es war kein Schnitt zu hören</translation>
+    </message>
+    <message>
+        <source>not judged: only %1 of %2 s in the cut could be, mainly because %3</source>
+        <translation>nicht beurteilt: nur %1 von %2 s im Schnitt waren zu beurteilen, vor allem weil: %3</translation>
+    </message>
+    <message>
+        <source>samples are missing</source>
+        <translation>Abtastwerte fehlen</translation>
+    </message>
+    <message>
+        <source>stable speeds are only %1 rev/min apart here, so that less depth is the surer way</source>
+        <translation>stabile Drehzahlen liegen hier nur %1 U/min auseinander, weniger Tiefe ist der sicherere Weg</translation>
+    </message>
+    <message>
+        <source>the frequency of the chatter is not known</source>
+        <translation>die Frequenz des Ratterns ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the tool enters or leaves</source>
+        <translation>das Werkzeug tritt ein oder aus</translation>
+    </message>
+    <message>
+        <source>try %1 or %2 rev/min (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7</source>
+        <translation>versuchen Sie %1 oder %2 U/min (%3 oder %4 Wellen von %5 Hz zwischen zwei Schneiden statt %6) oder %7</translation>
+    </message>
+    <message>
+        <source>try %1 rev/min (%2 waves of %3 Hz between two teeth instead of %4), or %5</source>
+        <translation>versuchen Sie %1 U/min (%2 Wellen von %3 Hz zwischen zwei Schneiden statt %4) oder %5</translation>
+    </message>
+    <message>
+        <source>try %1 rev/min (stable from %2 to %3 rev/min by the lobes), or %4</source>
+        <translation>versuchen Sie %1 U/min (nach den Stabilitätskarten stabil von %2 bis %3 U/min) oder %4</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>

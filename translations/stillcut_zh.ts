@@ -4903,6 +4903,138 @@
         <source>write s, ms, us or ns, or give --rate HZ</source>
         <translation>请写 s、ms、us 或 ns，或给出 --rate HZ</translation>
     </message>
+    <message>
+        <source>%1 s of air</source>
+        <translation>空切 %1 s</translation>
+    </message>
+    <message>
+        <source>%1 samples a second are too few for vibration</source>
+        <translation>每秒 %1 个采样不足以测量振动</translation>
+    </message>
+    <message>
+        <source>%1; take %2</source>
+        <translation>%1；请%2</translation>
+    </message>
+    <message>
+        <source>at least 100 are needed; is its time not in seconds? --rate HZ gives another rate</source>
+        <translation>至少需要 100；时间是否不以秒为单位？--rate HZ 可另给采样率</translation>
+    </message>
+    <message>
+        <source>channel %1 (%2) is no vibration and was left out: %3</source>
+        <translation>通道 %1（%2）不是振动信号，已略去：%3</translation>
+    </message>
+    <message>
+        <source>channel %1 (%2) was not in order for %3 s: %4</source>
+        <translation>通道 %1（%2）有 %3 s 异常：%4</translation>
+    </message>
+    <message>
+        <source>chatter at %1 Hz from %2 s on</source>
+        <translation>%2 s 起出现 %1 Hz 颤振</translation>
+    </message>
+    <message>
+        <source>chatter from %1 s on</source>
+        <translation>%1 s 起出现颤振</translation>
+    </message>
+    <message>
+        <source>chatter is found up to %1 Hz</source>
+        <translation>可检测最高 %1 Hz 的颤振</translation>
+    </message>
+    <message>
+        <source>it grows evenly and falls back, as an angle or a counter does</source>
+        <translation>均匀增长后回落，如角度或计数器</translation>
+    </message>
+    <message>
+        <source>it is constant</source>
+        <translation>数值恒定</translation>
+    </message>
+    <message>
+        <source>it knows two values only, as a tacho or a switch does</source>
+        <translation>只有两个值，如转速脉冲或开关</translation>
+    </message>
+    <message>
+        <source>it only counts, as a row number or a time does</source>
+        <translation>只是计数，如行号或时间</translation>
+    </message>
+    <message>
+        <source>judged %1 of %2 s</source>
+        <translation>已判定 %2 s 中的 %1 s</translation>
+    </message>
+    <message>
+        <source>judged %1 of %2 s; the rest: %3</source>
+        <translation>已判定 %2 s 中的 %1 s；其余：%3</translation>
+    </message>
+    <message>
+        <source>learning the stable cut</source>
+        <translation>正在学习稳定切削</translation>
+    </message>
+    <message>
+        <source>less depth</source>
+        <translation>减小切深</translation>
+    </message>
+    <message>
+        <source>less than %1 mm of depth</source>
+        <translation>切深小于 %1 mm</translation>
+    </message>
+    <message>
+        <source>no chatter</source>
+        <translation>无颤振</translation>
+    </message>
+    <message>
+        <source>no speed follows while the number of teeth is not known</source>
+        <translation>齿数未知，无法得出转速</translation>
+    </message>
+    <message>
+        <source>no speed follows while the spindle speed is not known</source>
+        <translation>主轴转速未知，无法得出转速</translation>
+    </message>
+    <message>
+        <source>no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rev/min would be</source>
+        <translation>切深 %1 mm 时没有可达的稳定转速，%3 r/min 时 %2 mm 可稳定</translation>
+    </message>
+    <message>
+        <source>no stable speed lies between %1 and %2 rev/min</source>
+        <translation>%1 至 %2 r/min 之间没有稳定转速</translation>
+    </message>
+    <message>
+        <source>not judged: %1</source>
+        <translation>未判定：%1</translation>
+    </message>
+    <message>
+        <source>not judged: no cut was heard</source>
+        <translation>未判定：没有听到切削</translation>
+    </message>
+    <message>
+        <source>not judged: only %1 of %2 s in the cut could be, mainly because %3</source>
+        <translation>未判定：切削中 %2 s 只有 %1 s 可判定，主要原因：%3</translation>
+    </message>
+    <message>
+        <source>samples are missing</source>
+        <translation>缺少采样</translation>
+    </message>
+    <message>
+        <source>stable speeds are only %1 rev/min apart here, so that less depth is the surer way</source>
+        <translation>此处稳定转速仅相隔 %1 r/min，减小切深更可靠</translation>
+    </message>
+    <message>
+        <source>the frequency of the chatter is not known</source>
+        <translation>颤振频率未知</translation>
+    </message>
+    <message>
+        <source>the tool enters or leaves</source>
+        <translation>刀具切入或切出</translation>
+    </message>
+    <message>
+        <source>try %1 or %2 rev/min (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7</source>
+        <translation>试用 %1 或 %2 r/min（两齿之间 %3 或 %4 个 %5 Hz 波，而非 %6），或%7</translation>
+    </message>
+    <message>
+        <source>try %1 rev/min (%2 waves of %3 Hz between two teeth instead of %4), or %5</source>
+        <translation>试用 %1 r/min（两齿之间 %2 个 %3 Hz 波，而非 %4），或%5</translation>
+    </message>
+    <message>
+        <source>try %1 rev/min (stable from %2 to %3 rev/min by the lobes), or %4</source>
+        <translation>试用 %1 r/min（按叶瓣图在 %2 至 %3 r/min 稳定），或%4</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>
