@@ -175,8 +175,8 @@ void Conditioner::makeSi(const SampleBlock& block) noexcept {
     const std::span<const float> in = block.channel(c);
     double* out = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
     const double scale = setup_.channels[i].scale;
-    if (!primed_) offset_[i] = scale * static_cast<double>(in[0]);  // spares the filter the step
     const bool numbers = check_.fault(c).code == ReasonCode::None;
+    if (!primed_) offset_[i] = numbers ? scale * static_cast<double>(in[0]) : 0.0;  // spares the filter the step
     for (int f = 0; f < block.frames; ++f) {
       out[f] = numbers ? scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i] : 0.0;
     }

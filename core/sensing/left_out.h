@@ -2,7 +2,8 @@
 // silence for everything that is detected, and the others go on. Only where none that measures the cut is left is there
 // nothing to judge.
 //
-// A channel is left out with the block in which its fault is found. It comes back once it has had none for a second,
+// A channel is left out with the block that shows its fault, or after the one in which tenths of seconds have shown it
+// (sensor_check.h). It comes back once it has had none for a second,
 // or at once where no other is left: a fault that comes and goes would else begin every detector anew each time.
 // Thread: worker; real-time.
 #pragma once

@@ -8,7 +8,7 @@
 
 #include "app/cli/reading_options.h"
 #include "app/cli/setting_options.h"
-#include "app/compose/recording/recording_answer.h"
+#include "app/compose/recording/recording_profile.h"
 
 namespace stillcut::app {
 

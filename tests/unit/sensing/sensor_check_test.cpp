@@ -261,7 +261,7 @@ TEST_F(SensorCheckTest, LoudNoiseIsNoCut) {
   constexpr double kEnd = 0.907;  // of half the rate
   std::vector<float> taps(kTaps);
   for (int k = 0; k < kTaps; ++k) {
-    const double n = k - (kTaps - 1) / 2;
+    const double n = k - 0.5 * (kTaps - 1);
     const double window = 0.42 + 0.5 * std::cos(kTwoPi * n / kTaps) + 0.08 * std::cos(2.0 * kTwoPi * n / kTaps);
     const double sinc = n == 0.0 ? kEnd : std::sin(0.5 * kTwoPi * kEnd * n) / (0.5 * kTwoPi * n);
     taps[static_cast<std::size_t>(k)] = static_cast<float>(window * sinc);
@@ -299,6 +299,17 @@ TEST_F(SensorCheckTest, OnlyWhereNoChannelIsLeftNothingIsJudged) {
   for (std::size_t f = frame(4.0); f < frame(5.0); ++f) samples[1][f] = std::nanf("");
   const int blocks = run(samples).invalid;
   EXPECT_NEAR(blocks * 256 / kRate, 1.0, 0.1);
+}
+
+// What begins with no numbers must not stay so: the first sample is what the offset is taken from.
+TEST_F(SensorCheckTest, AChannelThatBeginsWithoutNumbersIsMeasuredOnceItHasThem) {
+  Samples samples = cut(3.0);
+  std::fill_n(samples[0].begin(), frame(0.2), std::nanf(""));
+  const Run r = run(samples);
+  EXPECT_GT(r.first(ReasonCode::InputNotFinite), 0.0);
+  EXPECT_LT(r.last(), 0.3);
+  EXPECT_EQ(r.invalid, 0);
+  EXPECT_GT(r.status.channel[0].rms, 0.5);
 }
 
 TEST_F(SensorCheckTest, RepeatedValuesAreALowerRate) {

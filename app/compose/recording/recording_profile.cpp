@@ -1,6 +1,5 @@
-#include "app/compose/recording/recording_answer.h"
+#include "app/compose/recording/recording_profile.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/compose/known_lobes.h"
@@ -26,26 +25,6 @@ Status addProfile(const config::Profile& profile, const std::string& path, Recor
   if (!reach) return reach.error();
   options.reach = *reach;
   return Done{};
-}
-
-Result<RecordingAnswer> answerRecording(const std::string& path, const RecordingOptions& options,
-                                        const std::function<bool(double)>& goOn) {
-  auto built = buildRecordingRig(path, options);
-  if (!built) return built.error();
-  Rig& rig = *built->rig;
-  evaluate::RecordingJudge judge(rig.chain(), built->judged);
-  const auto frames = std::max(1.0, static_cast<double>(built->format.frames));
-  double done = 0.0;
-  bool more = true;
-  while (more) {
-    more = rig.advance([&](const StepInput& input, const StepOutput& output) {
-      judge.observe(input, output);
-      done += input.block.frames;
-    });
-    if (goOn && !goOn(std::min(1.0, done / frames))) return Error{path, message("stopped")};
-  }
-  if (const Message fault = rig.device().fault(); !fault.empty()) return Error{path, fault};
-  return judge.answer(0);
 }
 
 }  // namespace stillcut::app
