@@ -3,18 +3,19 @@
 
 build_packages="g++ cmake ninja-build pkg-config ccache lld libeigen3-dev libfftw3-dev libsndfile1-dev
   libhdf5-dev libmatio-dev zlib1g-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libspdlog-dev libcomedi-dev
-  libasound2-dev libiio-dev libavformat-dev libavcodec-dev libavutil-dev"
+  libasound2-dev libiio-dev libsqlite3-dev libavformat-dev libavcodec-dev libavutil-dev
+  libmosquitto-dev"
 desktop_packages="libgl1-mesa-dev qt6-base-dev qt6-charts-dev libqt6opengl6-dev qt6-svg-dev qt6-serialport-dev
   qt6-serialbus-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools fonts-dejavu-core fonts-noto-cjk"
 # clang with its runtime builds the sanitizers' presets, in two thirds of the time of GCC, and the fuzzer.
 test_packages="libgtest-dev libgmock-dev libbenchmark-dev clang libclang-rt-14-dev clang-format clang-tidy git
   python3-h5py python3-scipy hdf5-tools poppler-utils xvfb"
-# Real machines and devices for the tests of links and sources; a test whose peer is absent skips with one line.
+# Real machines, devices and programs for the tests of links, sources and examples; a test whose peer is absent skips with one line.
 peer_packages="linuxcnc-uspace linuxcnc-uspace-dev python3-pymodbus python3-serial-asyncio socat libmodbus-dev
-  pulseaudio libasound2-plugins"
+  pulseaudio libasound2-plugins octave mosquitto mosquitto-clients python3-protobuf postgresql"
 
 # What makes and checks the Debian package.
-package_packages="dpkg-dev lintian help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"
+package_packages="dpkg-dev gpg gpg-agent lintian help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"
 
 # install_missing PACKAGE... : asks dpkg first, so that a second run costs nothing and needs no network.
 install_missing() {

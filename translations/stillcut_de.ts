@@ -464,7 +464,7 @@
         <translation>Höchste Overrides</translation>
     </message>
     <message>
-        <source>Speed and feed rise no further than this share of the programmed values</source>
+        <source>Speed and feed rise no further than this fraction of the programmed values</source>
         <translation>Drehzahl und Vorschub steigen höchstens auf diesen Anteil der programmierten Werte</translation>
     </message>
     <message>
@@ -520,7 +520,7 @@
         <translation>Kleinster Drehzahl-Override</translation>
     </message>
     <message>
-        <source>Spindle speed is never driven below this share of the programmed speed</source>
+        <source>Spindle speed is never driven below this fraction of the programmed speed</source>
         <translation>Die Drehzahl wird nie unter diesen Anteil der programmierten gesenkt</translation>
     </message>
     <message>
@@ -528,7 +528,7 @@
         <translation>Größter Drehzahl-Override</translation>
     </message>
     <message>
-        <source>Spindle speed is never driven above this share of the programmed speed</source>
+        <source>Spindle speed is never driven above this fraction of the programmed speed</source>
         <translation>Die Drehzahl wird nie über diesen Anteil der programmierten gehoben</translation>
     </message>
     <message>
@@ -536,7 +536,7 @@
         <translation>Kleinster Vorschub-Override</translation>
     </message>
     <message>
-        <source>Feed is never driven below this share of the programmed feed</source>
+        <source>Feed is never driven below this fraction of the programmed feed</source>
         <translation>Der Vorschub wird nie unter diesen Anteil des programmierten gesenkt</translation>
     </message>
     <message>
@@ -544,7 +544,7 @@
         <translation>Größter Vorschub-Override</translation>
     </message>
     <message>
-        <source>Feed is never driven above this share of the programmed feed</source>
+        <source>Feed is never driven above this fraction of the programmed feed</source>
         <translation>Der Vorschub wird nie über diesen Anteil des programmierten gehoben</translation>
     </message>
     <message>
@@ -608,7 +608,7 @@
         <translation>Kleinster Zahnvorschub</translation>
     </message>
     <message>
-        <source>Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub</source>
+        <source>Our overrides never lower the feed per tooth below this fraction of the programmed one: the edge would rub</source>
         <translation>Unsere Overrides senken den Zahnvorschub nie unter diesen Anteil des programmierten: die Schneide würde reiben</translation>
     </message>
     <message>
@@ -616,7 +616,7 @@
         <translation>Größter Zahnvorschub</translation>
     </message>
     <message>
-        <source>Our overrides never raise the feed per tooth above this share of the programmed one</source>
+        <source>Our overrides never raise the feed per tooth above this fraction of the programmed one</source>
         <translation>Unsere Overrides heben den Zahnvorschub nie über diesen Anteil des programmierten</translation>
     </message>
     <message>
@@ -856,7 +856,7 @@
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>Adaptation step mu; while &apos;normalised&apos; is on, as a share of the largest stable step</source>
+        <source>Adaptation step mu; while &apos;normalised&apos; is on, as a fraction of the largest stable step</source>
         <translation>Adaptionsschritt mu; bei „normiert“ als Anteil des größten stabilen Schritts</translation>
     </message>
     <message>
@@ -864,7 +864,7 @@
         <translation>Normiert</translation>
     </message>
     <message>
-        <source>Take the step as a share of the bound that follows the power of the filtered reference</source>
+        <source>Take the step as a fraction of the bound that follows the power of the filtered reference</source>
         <translation>Den Schritt als Anteil der Grenze nehmen, die der Leistung der gefilterten Referenz folgt</translation>
     </message>
     <message>
@@ -1060,7 +1060,7 @@
         <translation>Pegel der Identifikation</translation>
     </message>
     <message>
-        <source>Rms of the excitation, as a share of the stroke</source>
+        <source>Rms of the excitation, as a fraction of the stroke</source>
         <translation>Effektivwert der Anregung als Anteil des Hubs</translation>
     </message>
     <message>
@@ -1084,7 +1084,7 @@
         <translation>Hilfsrauschen</translation>
     </message>
     <message>
-        <source>Rms of the noise that identifies the path anew while it controls, as a share of the stroke; 0: off</source>
+        <source>Rms of the noise that identifies the path anew while it controls, as a fraction of the stroke; 0: off</source>
         <translation>Effektivwert des Rauschens, das die Strecke während der Regelung neu identifiziert, als Anteil des Hubs; 0: aus</translation>
     </message>
     <message>
@@ -1577,7 +1577,7 @@
     </message>
     <message>
         <source>spindle %1 rev/min, programmed %2</source>
-        <translation>Spindel %1 rpm, programmiert %2</translation>
+        <translation>Spindel %1 1/min, programmiert %2</translation>
     </message>
     <message>
         <source>overrides %1 % speed, %2 % feed</source>
@@ -1608,11 +1608,11 @@
         <translation>die Maschine hat keinen Watchdog: stirbt dieses Programm, bleiben die Overrides stehen</translation>
     </message>
     <message>
-        <source>one knock along %1: &apos;%2&apos; heard most, %3 dB above the next</source>
+        <source>one knock along %1: &apos;%2&apos; measured most, %3 dB above the next</source>
         <translation>ein Klopfen längs %1: &apos;%2&apos; hörte am meisten, %3 dB über dem nächsten</translation>
     </message>
     <message>
-        <source>%4 knocks along %1: &apos;%2&apos; heard most, %3 dB above the next</source>
+        <source>%4 knocks along %1: &apos;%2&apos; measured most, %3 dB above the next</source>
         <translation>%4 Klopfer längs %1: &apos;%2&apos; hörte am meisten, %3 dB über dem nächsten</translation>
     </message>
     <message>
@@ -1708,7 +1708,7 @@
         <translation>das Gerät</translation>
     </message>
     <message>
-        <source>%1 Hz cannot be heard at %2 samples a second</source>
+        <source>%1 Hz cannot be measured at %2 samples a second</source>
         <translation>%1 Hz sind bei %2 Werten je Sekunde nicht zu hören</translation>
     </message>
     <message>
@@ -1769,11 +1769,11 @@
     </message>
     <message>
         <source>%1 rpm is no speed</source>
-        <translation>%1 rpm ist keine Drehzahl</translation>
+        <translation>%1 1/min ist keine Drehzahl</translation>
     </message>
     <message>
         <source>%1 rpm is too low for these modes</source>
-        <translation>%1 rpm ist zu langsam für diese Moden</translation>
+        <translation>%1 1/min ist zu langsam für diese Moden</translation>
     </message>
     <message>
         <source>%1 turns the table round</source>
@@ -1808,7 +1808,7 @@
         <translation>%1; der Schnitt davor wurde beendet</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; and &apos;%2&apos; heard it within %3 dB of each other</source>
+        <source>&apos;%1&apos; and &apos;%2&apos; measured it within %3 dB of each other</source>
         <translation>„%1“ und „%2“ hörten es mit weniger als %3 dB Unterschied</translation>
     </message>
     <message>
@@ -1913,7 +1913,7 @@
     </message>
     <message>
         <source>0 to 1000000 rev/min</source>
-        <translation>0 bis 1000000 U/min</translation>
+        <translation>0 bis 1000000 1/min</translation>
     </message>
     <message>
         <source>1 to 32 sensors are needed</source>
@@ -2076,7 +2076,7 @@
         <translation>ein Pfad lässt sich nicht übernehmen, solange der Tisch sich bewegt</translation>
     </message>
     <message>
-        <source>a quarter of a turn must fit into 512 samples</source>
+        <source>a quarter of a revolution must fit into 512 samples</source>
         <translation>eine Viertelumdrehung muss in 512 Werte passen</translation>
     </message>
     <message>
@@ -2141,7 +2141,7 @@
     </message>
     <message>
         <source>above 0 and up to 1e6 rpm</source>
-        <translation>über 0 und bis 1e6 rpm</translation>
+        <translation>über 0 und bis 1e6 1/min</translation>
     </message>
     <message>
         <source>active &apos;alsa&apos;</source>
@@ -2412,10 +2412,6 @@
         <translation>endet zu früh</translation>
     </message>
     <message>
-        <source>every channel has a time column of its own</source>
-        <translation>jeder Kanal hat eine eigene Zeitspalte</translation>
-    </message>
-    <message>
         <source>every value must be above zero</source>
         <translation>jeder Wert muss über null liegen</translation>
     </message>
@@ -2426,10 +2422,6 @@
     <message>
         <source>exponent must lie in (0, 1]</source>
         <translation>der Exponent muss in (0, 1] liegen</translation>
-    </message>
-    <message>
-        <source>export with one X column</source>
-        <translation>mit einer einzigen X-Spalte exportieren</translation>
     </message>
     <message>
         <source>feed lag must lie between 0 and 10 s</source>
@@ -2888,8 +2880,8 @@
         <translation>wird noch aufgezeichnet</translation>
     </message>
     <message>
-        <source>is stillcut-hal loaded by the machine&apos;s HAL file?</source>
-        <translation>lädt die HAL-Datei der Maschine stillcut-hal?</translation>
+        <source>is stillcut-hal loaded by the machine&apos;s HAL file, and LinuxCNC started by this user?</source>
+        <translation>lädt die HAL-Datei der Maschine stillcut-hal, und hat dieser Benutzer LinuxCNC gestartet?</translation>
     </message>
     <message>
         <source>is stillcut.hal wired as it came?</source>
@@ -2898,10 +2890,6 @@
     <message>
         <source>is stored in pieces of more than 64 MB</source>
         <translation>ist in Stücken über 64 MB gespeichert</translation>
-    </message>
-    <message>
-        <source>is text in UTF-16</source>
-        <translation>ist Text in UTF-16</translation>
     </message>
     <message>
         <source>is the machine on, and the address right?</source>
@@ -3076,7 +3064,7 @@
         <translation>sein Ordinatentyp ist keiner von 2, 4, 5, 6</translation>
     </message>
     <message>
-        <source>its phase is off by 90 degrees or more, or the sensor does not hear the actuator there</source>
+        <source>its phase is off by 90 degrees or more, or the sensor measures nothing of the actuator there</source>
         <translation>seine Phase liegt 90 Grad oder mehr daneben, oder der Sensor hört den Aktor dort nicht</translation>
     </message>
     <message>
@@ -3268,7 +3256,7 @@
         <translation>keiner seiner Werte ist eine Zahl</translation>
     </message>
     <message>
-        <source>none was heard</source>
+        <source>none was measured</source>
         <translation>keiner war zu hören</translation>
     </message>
     <message>
@@ -3284,7 +3272,7 @@
         <translation>keine Universaldatei mit Messfunktionen</translation>
     </message>
     <message>
-        <source>nothing is heard</source>
+        <source>there is no signal</source>
         <translation>nichts ist zu hören</translation>
     </message>
     <message>
@@ -3320,7 +3308,7 @@
         <translation>eine Zahlenzeile ist keine Aufzeichnung</translation>
     </message>
     <message>
-        <source>only %1 % of what is heard is a tone near %2 Hz</source>
+        <source>only %1 % of the signal is a tone near %2 Hz</source>
         <translation>nur %1 % des Gehörten ist ein Ton bei %2 Hz</translation>
     </message>
     <message>
@@ -3444,10 +3432,6 @@
         <translation>jeden Abschnitt als eigene Datei sichern</translation>
     </message>
     <message>
-        <source>save it as UTF-8</source>
-        <translation>als UTF-8 sichern</translation>
-    </message>
-    <message>
         <source>say which one it should lie along</source>
         <translation>angeben, entlang welcher sie liegen soll</translation>
     </message>
@@ -3497,7 +3481,7 @@
     </message>
     <message>
         <source>speed must lie between 1 and 200000 rev/min</source>
-        <translation>die Drehzahl muss zwischen 1 und 200000 U/min liegen</translation>
+        <translation>die Drehzahl muss zwischen 1 und 200000 1/min liegen</translation>
     </message>
     <message>
         <source>speeds must be FROM:TO:STEP with 0 &lt; FROM &lt;= TO</source>
@@ -3712,7 +3696,7 @@
         <translation>das Modell entlang %1 ist %2 Minuten alt</translation>
     </message>
     <message>
-        <source>the model along %1 promises no stability on the lines to quieten, worst at %2 Hz</source>
+        <source>the model along %1 has no phase margin on the lines to quieten, worst at %2 Hz</source>
         <translation>das Modell entlang %1 verspricht auf den zu dämpfenden Linien keine Stabilität, am schlechtesten bei %2 Hz</translation>
     </message>
     <message>
@@ -4289,7 +4273,7 @@
     </message>
     <message>
         <source>Growth that is an onset</source>
-        <translation>Wachstum, das als Einsatz gilt</translation>
+        <translation>Wachstum, das als Beginn gilt</translation>
     </message>
     <message>
         <source>four times the noise floor in energy</source>
@@ -4297,7 +4281,7 @@
     </message>
     <message>
         <source>the smallest onset, as set, which the noise does not reach</source>
-        <translation>der kleinste Einsatz, wie gesetzt; das Rauschen reicht nicht so weit</translation>
+        <translation>der kleinste Beginn, wie gesetzt; das Rauschen reicht nicht so weit</translation>
     </message>
     <message>
         <source>12 turns at the told speed</source>
@@ -4740,10 +4724,6 @@
         <translation>zu wenig Speicher</translation>
     </message>
     <message>
-        <source>only HDF5, MATLAB and NumPy files have places inside</source>
-        <translation>nur HDF5-, MATLAB- und NumPy-Dateien haben Orte in sich</translation>
-    </message>
-    <message>
         <source>open the .tdms file beside it</source>
         <translation>die .tdms-Datei daneben öffnen</translation>
     </message>
@@ -4904,7 +4884,7 @@
         <translation>s, ms, us oder ns schreiben oder --rate HZ angeben</translation>
     </message>
     <message>
-        <source>%1 s of air</source>
+        <source>%1 s of air cutting</source>
         <translation>%1 s Luft</translation>
     </message>
     <message>
@@ -4936,8 +4916,8 @@
         <translation>Rattern ab %1 s</translation>
     </message>
     <message>
-        <source>chatter is found up to %1 Hz</source>
-        <translation>Rattern wird bis %1 Hz gefunden</translation>
+        <source>chatter can be detected up to %1 Hz</source>
+        <translation>Rattern ist bis %1 Hz zu erkennen</translation>
     </message>
     <message>
         <source>it grows evenly and falls back, as an angle or a counter does</source>
@@ -4989,18 +4969,18 @@
     </message>
     <message>
         <source>no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rev/min would be</source>
-        <translation>keine erreichbare Drehzahl ist bei %1 mm Tiefe stabil, %2 mm bei %3 U/min wären es</translation>
+        <translation>keine erreichbare Drehzahl ist bei %1 mm Tiefe stabil, %2 mm bei %3 1/min wären es</translation>
     </message>
     <message>
         <source>no stable speed lies between %1 and %2 rev/min</source>
-        <translation>zwischen %1 und %2 U/min liegt keine stabile Drehzahl</translation>
+        <translation>zwischen %1 und %2 1/min liegt keine stabile Drehzahl</translation>
     </message>
     <message>
         <source>not judged: %1</source>
         <translation>nicht beurteilt: %1</translation>
     </message>
     <message>
-        <source>not judged: no cut was heard</source>
+        <source>not judged: no cut was measured</source>
         <translation>nicht beurteilt: es war kein Schnitt zu hören</translation>
     </message>
     <message>
@@ -5013,7 +4993,7 @@
     </message>
     <message>
         <source>stable speeds are only %1 rev/min apart here, so that less depth is the surer way</source>
-        <translation>stabile Drehzahlen liegen hier nur %1 U/min auseinander, weniger Tiefe ist der sicherere Weg</translation>
+        <translation>stabile Drehzahlen liegen hier nur %1 1/min auseinander, weniger Tiefe ist der sicherere Weg</translation>
     </message>
     <message>
         <source>the frequency of the chatter is not known</source>
@@ -5025,15 +5005,638 @@
     </message>
     <message>
         <source>try %1 or %2 rev/min (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7</source>
-        <translation>versuchen Sie %1 oder %2 U/min (%3 oder %4 Wellen von %5 Hz zwischen zwei Schneiden statt %6) oder %7</translation>
+        <translation>versuchen Sie %1 oder %2 1/min (%3 oder %4 Wellen von %5 Hz zwischen zwei Schneiden statt %6) oder %7</translation>
     </message>
     <message>
         <source>try %1 rev/min (%2 waves of %3 Hz between two teeth instead of %4), or %5</source>
-        <translation>versuchen Sie %1 U/min (%2 Wellen von %3 Hz zwischen zwei Schneiden statt %4) oder %5</translation>
+        <translation>versuchen Sie %1 1/min (%2 Wellen von %3 Hz zwischen zwei Schneiden statt %4) oder %5</translation>
     </message>
     <message>
         <source>try %1 rev/min (stable from %2 to %3 rev/min by the lobes), or %4</source>
-        <translation>versuchen Sie %1 U/min (nach den Stabilitätskarten stabil von %2 bis %3 U/min) oder %4</translation>
+        <translation>versuchen Sie %1 1/min (nach den Stabilitätskarten stabil von %2 bis %3 1/min) oder %4</translation>
+    </message>
+    <message>
+        <source>A simulated tap test: hammer and two accelerometers at the tip of a tool: axis, interval_s</source>
+        <translation>Ein simulierter Klopfversuch: Hammer und zwei Beschleunigungssensoren an der Werkzeugspitze: axis, interval_s</translation>
+    </message>
+    <message>
+        <source>the machine has no watchdog: a process of its own brings the overrides back if this program dies; they stay where both are killed at once, or the cable goes</source>
+        <translation>die Maschine hat keinen Watchdog: stirbt dieses Programm, bringt ein eigener Prozess die Overrides zurück; sie bleiben, wenn beide zugleich sterben oder das Kabel abgeht</translation>
+    </message>
+    <message>
+        <source>as the run that holds the machine tells: nothing more was asked</source>
+        <translation>wie der laufende Betrieb sagt, der die Maschine hält: nichts weiter wurde gefragt</translation>
+    </message>
+    <message>
+        <source>Aluminium, wrought</source>
+        <translation>Aluminium, geknetet</translation>
+    </message>
+    <message>
+        <source>Aluminium, cast</source>
+        <translation>Aluminium, gegossen</translation>
+    </message>
+    <message>
+        <source>Steel, unalloyed</source>
+        <translation>Stahl, unlegiert</translation>
+    </message>
+    <message>
+        <source>Steel, alloyed, tempered</source>
+        <translation>Stahl, legiert, vergütet</translation>
+    </message>
+    <message>
+        <source>Cast iron, grey</source>
+        <translation>Grauguss</translation>
+    </message>
+    <message>
+        <source>Titanium alloy</source>
+        <translation>Titanlegierung</translation>
+    </message>
+    <message>
+        <source>stillcut-status, beside any screen, for &apos;linuxcnc&apos;</source>
+        <translation>stillcut-status, neben jeder Oberfläche, für &apos;linuxcnc&apos;</translation>
+    </message>
+    <message>
+        <source>Status port</source>
+        <translation>Status-Port</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startzahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is raw, with a scale that is no straight line</source>
+        <translation>&apos;%1&apos; ist roh, mit einer Skala, die keine Gerade ist</translation>
+    </message>
+    <message>
+        <source>&apos;status_port&apos; needs &apos;hal_component_port&apos;</source>
+        <translation>&apos;status_port&apos; braucht &apos;hal_component_port&apos;</translation>
+    </message>
+    <message>
+        <source>a header makes no sense</source>
+        <translation>ein Kopf ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>a response along x or y is needed</source>
+        <translation>ein Frequenzgang entlang x oder y wird gebraucht</translation>
+    </message>
+    <message>
+        <source>a response needs two lines or more, each with a frequency</source>
+        <translation>ein Frequenzgang braucht zwei Linien oder mehr, jede mit einer Frequenz</translation>
+    </message>
+    <message>
+        <source>a sweep changes the speed by up to 20 % a second</source>
+        <translation>ein Durchlauf ändert die Drehzahl um bis zu 20 % je Sekunde</translation>
+    </message>
+    <message>
+        <source>a sweep needs the speed where it ends</source>
+        <translation>ein Durchlauf braucht seine Enddrehzahl</translation>
+    </message>
+    <message>
+        <source>a tool with another or an uneven pitch</source>
+        <translation>ein Werkzeug mit anderer oder ungleicher Teilung</translation>
+    </message>
+    <message>
+        <source>a tooth harmonic meets a resonance: take the speed off it</source>
+        <translation>eine Zahnharmonische trifft eine Resonanz: Drehzahl davon weg</translation>
+    </message>
+    <message>
+        <source>a tooth harmonic meets a resonance: take the speed off it, as %1 rev/min</source>
+        <translation>eine Zahnharmonische trifft eine Resonanz: Drehzahl davon weg, etwa %1 1/min</translation>
+    </message>
+    <message>
+        <source>an incline ends deeper than it begins</source>
+        <translation>ein Schrägschnitt endet tiefer als er beginnt</translation>
+    </message>
+    <message>
+        <source>another speed: %1 rev/min</source>
+        <translation>andere Drehzahl: %1 1/min</translation>
+    </message>
+    <message>
+        <source>cannot be kept for the screen</source>
+        <translation>kann für den Bildschirm nicht gehalten werden</translation>
+    </message>
+    <message>
+        <source>cannot be read again</source>
+        <translation>kann nicht noch einmal gelesen werden</translation>
+    </message>
+    <message>
+        <source>chatter frequency must lie between 0 and 100 kHz</source>
+        <translation>Ratterfrequenz muss zwischen 0 und 100 kHz liegen</translation>
+    </message>
+    <message>
+        <source>check runout and balance</source>
+        <translation>Rundlauf und Wuchtung prüfen</translation>
+    </message>
+    <message>
+        <source>clearance must lie above 0 and up to 1000 mm</source>
+        <translation>Sicherheitsabstand muss über 0 und bis 1000 mm liegen</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>depth must lie above 0 and up to 1000 mm</source>
+        <translation>Tiefe muss über 0 und bis 1000 mm liegen</translation>
+    </message>
+    <message>
+        <source>diameter must lie above 0 and up to 1000 mm</source>
+        <translation>Durchmesser muss über 0 und bis 1000 mm liegen</translation>
+    </message>
+    <message>
+        <source>doubt must lie between 0 and 0.5</source>
+        <translation>der Zweifel muss zwischen 0 und 0.5 liegen</translation>
+    </message>
+    <message>
+        <source>export it scaled, or as CSV</source>
+        <translation>skaliert exportieren, oder als CSV</translation>
+    </message>
+    <message>
+        <source>feed per tooth must lie above 0 and up to 10 mm</source>
+        <translation>Zahnvorschub muss über 0 und bis 10 mm liegen</translation>
+    </message>
+    <message>
+        <source>field &apos;%1&apos; is missing or of the wrong kind</source>
+        <translation>Feld &apos;%1&apos; fehlt oder ist von falscher Art</translation>
+    </message>
+    <message>
+        <source>gives no answer</source>
+        <translation>gibt keine Antwort</translation>
+    </message>
+    <message>
+        <source>has a hammer or a frequency response</source>
+        <translation>hat einen Hammer oder einen Frequenzgang</translation>
+    </message>
+    <message>
+        <source>holds interleaved values that are no numbers</source>
+        <translation>enthält verschachtelte Werte, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>holds modes alone</source>
+        <translation>enthält nur Moden</translation>
+    </message>
+    <message>
+        <source>holds no channel of numbers</source>
+        <translation>enthält keinen Kanal mit Zahlen</translation>
+    </message>
+    <message>
+        <source>holds no cut &apos;%1&apos;</source>
+        <translation>enthält keinen Schnitt &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>holds no hit</source>
+        <translation>enthält keinen Schlag</translation>
+    </message>
+    <message>
+        <source>holds no values</source>
+        <translation>enthält keine Werte</translation>
+    </message>
+    <message>
+        <source>holds unscaled values of a DAQmx device, which are not read</source>
+        <translation>enthält unskalierte Werte eines DAQmx-Geräts, die nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>is a damaged TDMS file</source>
+        <translation>ist eine beschädigte TDMS-Datei</translation>
+    </message>
+    <message>
+        <source>is a damaged spreadsheet</source>
+        <translation>ist eine beschädigte Tabelle</translation>
+    </message>
+    <message>
+        <source>is a store of a newer version of Stillcut</source>
+        <translation>ist ein Speicher einer neueren Stillcut-Version</translation>
+    </message>
+    <message>
+        <source>is no line of evidence</source>
+        <translation>ist keine Zeile mit einem Schnitt</translation>
+    </message>
+    <message>
+        <source>is no store of cuts</source>
+        <translation>ist kein Schnittspeicher</translation>
+    </message>
+    <message>
+        <source>is the installation complete?</source>
+        <translation>ist die Installation vollständig?</translation>
+    </message>
+    <message>
+        <source>it belongs to another program</source>
+        <translation>er gehört einem anderen Programm</translation>
+    </message>
+    <message>
+        <source>it was quiet at %1 rev/min</source>
+        <translation>bei %1 1/min war es ruhig</translation>
+    </message>
+    <message>
+        <source>its decay fits nothing that was learned so far</source>
+        <translation>sein Abklingen passt zu nichts bisher Gelerntem</translation>
+    </message>
+    <message>
+        <source>its decay is too uncertain</source>
+        <translation>sein Abklingen ist zu unsicher</translation>
+    </message>
+    <message>
+        <source>its schema is not %1</source>
+        <translation>sein Schema ist nicht %1</translation>
+    </message>
+    <message>
+        <source>its speed lies outside what is looked at</source>
+        <translation>seine Drehzahl liegt außerhalb des betrachteten Bereichs</translation>
+    </message>
+    <message>
+        <source>its values lie too scattered</source>
+        <translation>seine Werte liegen zu verstreut</translation>
+    </message>
+    <message>
+        <source>length must lie above 0 and up to 100 m</source>
+        <translation>Länge muss über 0 und bis 100 m liegen</translation>
+    </message>
+    <message>
+        <source>less depth: %1 mm</source>
+        <translation>weniger Tiefe: %1 mm</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>machine and tool must be named</source>
+        <translation>Maschine und Werkzeug müssen benannt sein</translation>
+    </message>
+    <message>
+        <source>modes</source>
+        <translation>Moden</translation>
+    </message>
+    <message>
+        <source>no free vibration stands out of the noise</source>
+        <translation>keine freie Schwingung hebt sich vom Rauschen ab</translation>
+    </message>
+    <message>
+        <source>no recording is open</source>
+        <translation>keine Aufnahme ist offen</translation>
+    </message>
+    <message>
+        <source>one JSON object a line</source>
+        <translation>ein JSON-Objekt je Zeile</translation>
+    </message>
+    <message>
+        <source>one tooth has no pitch to choose</source>
+        <translation>ein Zahn hat keine Teilung zu wählen</translation>
+    </message>
+    <message>
+        <source>pitches are chosen for teeth of one helix</source>
+        <translation>Teilungen werden für Zähne eines Dralls gewählt</translation>
+    </message>
+    <message>
+        <source>say what the tool cuts: %1</source>
+        <translation>sagen, was das Werkzeug schneidet: %1</translation>
+    </message>
+    <message>
+        <source>spectra</source>
+        <translation>Spektren</translation>
+    </message>
+    <message>
+        <source>speed must lie above 0 and up to 1e6 rev/min</source>
+        <translation>Drehzahl muss über 0 und bis 1e6 1/min liegen</translation>
+    </message>
+    <message>
+        <source>stick-out must lie between 0 and 2000 mm</source>
+        <translation>Auskraglänge muss zwischen 0 und 2000 mm liegen</translation>
+    </message>
+    <message>
+        <source>stillcut-cli materials lists them</source>
+        <translation>stillcut-cli materials listet sie</translation>
+    </message>
+    <message>
+        <source>stillcut-status only tells; the overrides go through stillcut-hal</source>
+        <translation>stillcut-status meldet nur; die Overrides laufen über stillcut-hal</translation>
+    </message>
+    <message>
+        <source>take a shorter range of speeds, or less feed</source>
+        <translation>kleineren Drehzahlbereich oder weniger Vorschub wählen</translation>
+    </message>
+    <message>
+        <source>teeth must be 1 to 200</source>
+        <translation>Zähne müssen 1 bis 200 sein</translation>
+    </message>
+    <message>
+        <source>the file was not finished; what was written until then is read</source>
+        <translation>die Datei wurde nicht beendet; gelesen wird, was bis dahin geschrieben war</translation>
+    </message>
+    <message>
+        <source>the free vibration is not the same throughout the cut</source>
+        <translation>die freie Schwingung bleibt im Schnitt nicht gleich</translation>
+    </message>
+    <message>
+        <source>the frequencies of a response must rise from above 0</source>
+        <translation>die Frequenzen eines Frequenzgangs müssen von über 0 an steigen</translation>
+    </message>
+    <message>
+        <source>the highest speed must lie above the lowest, both above 0</source>
+        <translation>die höchste Drehzahl muss über der niedrigsten liegen, beide über 0</translation>
+    </message>
+    <message>
+        <source>the largest depth must lie above 0</source>
+        <translation>die größte Tiefe muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>the last %1 cuts do not fit the %2 before: another tool, holder or clamping? The lobes were started anew</source>
+        <translation>die letzten %1 Schnitte passen nicht zu den %2 davor: anderes Werkzeug, Halter oder Spannung? Die Keulen wurden neu begonnen</translation>
+    </message>
+    <message>
+        <source>the recording</source>
+        <translation>die Aufnahme</translation>
+    </message>
+    <message>
+        <source>the responses have no frequencies in common</source>
+        <translation>die Frequenzgänge haben keine Frequenzen gemeinsam</translation>
+    </message>
+    <message>
+        <source>the risk must lie between 0 and 1</source>
+        <translation>das Risiko muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>the sound output has failed: %1</source>
+        <translation>die Tonausgabe ist ausgefallen: %1</translation>
+    </message>
+    <message>
+        <source>the speed is not known or the sampling rate too low</source>
+        <translation>die Drehzahl ist unbekannt oder die Abtastrate zu niedrig</translation>
+    </message>
+    <message>
+        <source>the steady cut is too short</source>
+        <translation>der gleichmäßige Schnitt ist zu kurz</translation>
+    </message>
+    <message>
+        <source>the store of cuts cannot be opened</source>
+        <translation>der Schnittspeicher lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>the store of cuts cannot be used</source>
+        <translation>der Schnittspeicher ist nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>the sweep needs %1 mm of material</source>
+        <translation>der Durchlauf braucht %1 mm Material</translation>
+    </message>
+    <message>
+        <source>the table of materials has no &apos;%1&apos;</source>
+        <translation>Werkstofftabelle kennt &apos;%1&apos; nicht</translation>
+    </message>
+    <message>
+        <source>there are none to keep</source>
+        <translation>keine zum Behalten</translation>
+    </message>
+    <message>
+        <source>there is no such channel</source>
+        <translation>diesen Kanal gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such channel in the file</source>
+        <translation>diesen Kanal gibt es in der Datei nicht</translation>
+    </message>
+    <message>
+        <source>this Stillcut was built without sound output</source>
+        <translation>dieses Stillcut wurde ohne Tonausgabe gebaut</translation>
+    </message>
+    <message>
+        <source>this computer has no sound output: %1</source>
+        <translation>dieser Rechner hat keine Tonausgabe: %1</translation>
+    </message>
+    <message>
+        <source>this cut was quiet before: is the tool worn, or loose?</source>
+        <translation>dieser Schnitt war früher ruhig: Werkzeug stumpf oder lose?</translation>
+    </message>
+    <message>
+        <source>this tool chattered at %1 rev/min</source>
+        <translation>dieses Werkzeug ratterte bei %1 1/min</translation>
+    </message>
+    <message>
+        <source>too little is known of this tool</source>
+        <translation>von diesem Werkzeug ist zu wenig bekannt</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>update this program</source>
+        <translation>dieses Programm aktualisieren</translation>
+    </message>
+    <message>
+        <source>vary the spindle speed by %1 % with a period of %2 s: in simulation this quiets it</source>
+        <translation>Drehzahl um %1 % mit einer Periode von %2 s ändern: in der Simulation wird es damit ruhig</translation>
+    </message>
+    <message>
+        <source>cannot be run again</source>
+        <translation>kann nicht noch einmal laufen</translation>
+    </message>
+    <message>
+        <source>cut.model is the file with modes and material</source>
+        <translation>cut.model ist die Datei mit Moden und Werkstoff</translation>
+    </message>
+    <message>
+        <source>depth of cut</source>
+        <translation>Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>names no model of its cut</source>
+        <translation>nennt kein Modell seines Schnitts</translation>
+    </message>
+    <message>
+        <source>none is entered</source>
+        <translation>keine eingegeben</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>the force is not proportional to the chip: taken as it is at a chip of %1 um</source>
+        <translation>die Kraft ist nicht proportional zum Span: genommen wie bei einem Span von %1 um</translation>
+    </message>
+    <message>
+        <source>type frequency, damping and stiffness, or open a file with modes</source>
+        <translation>Frequenz, Dämpfung und Steifigkeit eintippen oder eine Datei mit Moden öffnen</translation>
+    </message>
+    <message>
+        <source>%1 samples a second are more than can be judged</source>
+        <translation>%1 Abtastwerte je Sekunde sind mehr, als beurteilt werden können</translation>
+    </message>
+    <message>
+        <source>a pipe is read as the standard input: - &lt; FILE</source>
+        <translation>eine Pipe wird als Standardeingabe gelesen: - &lt; FILE</translation>
+    </message>
+    <message>
+        <source>a row is a time in s and a speed in rev/min</source>
+        <translation>eine Zeile ist eine Zeit in s und eine Drehzahl in U/min</translation>
+    </message>
+    <message>
+        <source>at most 1000000; is its time not in seconds? --rate HZ gives another rate</source>
+        <translation>höchstens 1000000; ist die Zeit nicht in Sekunden? --rate HZ gibt eine andere Rate an</translation>
+    </message>
+    <message>
+        <source>choose at most 32 with --channel N[,N]</source>
+        <translation>mit --channel N[,N] höchstens 32 auswählen</translation>
+    </message>
+    <message>
+        <source>damaged, or cut off: what records into it writes its index when it ends</source>
+        <translation>beschädigt oder abgeschnitten: ihr Verzeichnis wird erst am Ende der Aufnahme geschrieben</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 s: what is there is read</source>
+        <translation>endet nach %1 von %2 s: gelesen wird, was da ist</translation>
+    </message>
+    <message>
+        <source>export each with its channels as a file of its own, or give --rate HZ</source>
+        <translation>jede mit ihren Kanälen als eigene Datei exportieren, oder --rate HZ angeben</translation>
+    </message>
+    <message>
+        <source>export those of each rate as a file of their own</source>
+        <translation>die Kanäle jeder Rate als eigene Datei exportieren</translation>
+    </message>
+    <message>
+        <source>format it as a time of day and export again, or give --rate HZ</source>
+        <translation>als Uhrzeit formatieren und neu exportieren, oder --rate HZ angeben</translation>
+    </message>
+    <message>
+        <source>has %1 channels, more than are judged at once</source>
+        <translation>hat %1 Kanäle, mehr als auf einmal beurteilt werden</translation>
+    </message>
+    <message>
+        <source>has no sheet &apos;%1&apos;</source>
+        <translation>hat kein Blatt &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not clear whether &apos;%1&apos; has a decimal point or thousands set apart</source>
+        <translation>unklar, ob &apos;%1&apos; einen Dezimalpunkt oder abgesetzte Tausender hat</translation>
+    </message>
+    <message>
+        <source>its channels have several rates</source>
+        <translation>ihre Kanäle haben mehrere Raten</translation>
+    </message>
+    <message>
+        <source>its coding is not known; convert it to WAV: ffmpeg -i FILE cut.wav</source>
+        <translation>ihre Kodierung ist unbekannt; in WAV umwandeln: ffmpeg -i FILE cut.wav</translation>
+    </message>
+    <message>
+        <source>its columns have times of their own: &apos;%1&apos; goes in other steps</source>
+        <translation>ihre Spalten haben eigene Zeiten: &apos;%1&apos; geht in anderen Schritten</translation>
+    </message>
+    <message>
+        <source>its header is damaged, or its coding is not known</source>
+        <translation>ihr Kopf ist beschädigt, oder ihre Kodierung ist unbekannt</translation>
+    </message>
+    <message>
+        <source>its time seems to be in days, as spreadsheets count them</source>
+        <translation>ihre Zeit scheint in Tagen zu sein, wie Tabellenprogramme zählen</translation>
+    </message>
+    <message>
+        <source>no sample of it can be decoded</source>
+        <translation>kein Abtastwert lässt sich dekodieren</translation>
+    </message>
+    <message>
+        <source>none of its sheets holds rows of numbers: %1</source>
+        <translation>keines ihrer Blätter enthält Zeilen mit Zahlen: %1</translation>
+    </message>
+    <message>
+        <source>nothing in it is known as sound</source>
+        <translation>nichts darin ist als Ton bekannt</translation>
+    </message>
+    <message>
+        <source>of its %1 sheets &apos;%2&apos; is read; FILE:/NAME reads another</source>
+        <translation>von ihren %1 Blättern wird &apos;%2&apos; gelesen; FILE:/NAME liest ein anderes</translation>
+    </message>
+    <message>
+        <source>only HDF5, MATLAB, NumPy, TDMS and Excel files have places inside</source>
+        <translation>nur HDF5-, MATLAB-, NumPy-, TDMS- und Excel-Dateien haben Stellen darin</translation>
+    </message>
+    <message>
+        <source>the header promises %1 bytes, the file holds %2, which are read: its recorder did not end it</source>
+        <translation>der Kopf verspricht %1 Bytes, die Datei enthält %2, die gelesen werden: ihr Aufzeichner hat sie nicht beendet</translation>
+    </message>
+    <message>
+        <source>write 0 in its place, or read the other channels with --channel N</source>
+        <translation>an seiner Stelle 0 schreiben, oder mit --channel N die anderen Kanäle lesen</translation>
+    </message>
+    <message>
+        <source>write NaN on every channel where samples are missing, or leave this one out</source>
+        <translation>NaN in jeden Kanal schreiben, wo Abtastwerte fehlen, oder diesen weglassen</translation>
+    </message>
+</context>
+<context>
+    <name>Learned</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Next most useful cut: %1, because it tells most (stable with %2).</source>
+        <translation>Nützlichster nächster Schnitt: %1, weil er am meisten verrät (stabil mit %2).</translation>
+    </message>
+    <message>
+        <source>Next most useful cut: %1, because its outcome (stable with %2) may raise the removal rate most: %3 expected.</source>
+        <translation>Nützlichster nächster Schnitt: %1, weil sein Ausgang (stabil mit %2) das Zeitspanvolumen am meisten heben kann: %3 erwartet.</translation>
+    </message>
+    <message>
+        <source>Nothing is learned from these cuts: say machine, tool, teeth, depth and modes under Set up.</source>
+        <translation>Aus diesen Schnitten wird nichts gelernt: Maschine, Werkzeug, Zähne, Tiefe und Moden unter Einrichten angeben.</translation>
+    </message>
+    <message>
+        <source>Learned from cuts: nothing yet. Cut with this tool: every judged cut is kept and counts here.</source>
+        <translation>Aus Schnitten gelernt: noch nichts. Mit diesem Werkzeug schneiden: jeder beurteilte Schnitt wird aufgehoben und zählt hier.</translation>
+    </message>
+    <message>
+        <source>Learned from cuts: %1</source>
+        <translation>Aus Schnitten gelernt: %1</translation>
+    </message>
+    <message>
+        <source>Learned from %1 judged cuts (%2 with chatter) and the tool&apos;s modes.</source>
+        <translation>Gelernt aus %1 beurteilten Schnitten (%2 mit Rattern) und den Moden des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>%1 older ones are set aside: the newest indicate another tool.</source>
+        <translation>%1 ältere zählen nicht mehr: die neuesten deuten auf ein anderes Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Recommended at a risk of %1: %2.</source>
+        <translation>Empfohlen bei einem Risiko von %1: %2.</translation>
+    </message>
+    <message>
+        <source>Learned from cuts: stable here with %1</source>
+        <translation>Aus Schnitten gelernt: hier stabil mit %1</translation>
+    </message>
+    <message>
+        <source>Judged cut: stable</source>
+        <translation>Beurteilter Schnitt: stabil</translation>
+    </message>
+    <message>
+        <source>Judged cut: chatter, %1</source>
+        <translation>Beurteilter Schnitt: Rattern, %1</translation>
+    </message>
+    <message>
+        <source>Judged cut: chatter</source>
+        <translation>Beurteilter Schnitt: Rattern</translation>
     </message>
 </context>
 <context>
@@ -5089,6 +5692,14 @@
         <source>Set up</source>
         <translation>Aufbau</translation>
     </message>
+    <message>
+        <source>Tap test</source>
+        <translation>Klopfen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
 </context>
 <context>
     <name>PlotFrame</name>
@@ -5113,7 +5724,7 @@
     </message>
     <message>
         <source>Spindle speed [rpm]</source>
-        <translation>Drehzahl [rpm]</translation>
+        <translation>Drehzahl [1/min]</translation>
     </message>
 </context>
 <context>
@@ -5152,11 +5763,11 @@
     </message>
     <message>
         <source>the spindle is running up, {0.0} rpm</source>
-        <translation>die Spindel läuft hoch, {0.0} rpm</translation>
+        <translation>die Spindel läuft hoch, {0.0} 1/min</translation>
     </message>
     <message>
-        <source>the tool is entering or leaving, {0.2} s</source>
-        <translation>das Werkzeug tritt ein oder aus, {0.2} s</translation>
+        <source>the tool is entering or leaving</source>
+        <translation>das Werkzeug tritt ein oder aus</translation>
     </message>
     <message>
         <source>energy ratio {0.2} is over {1.2}</source>
@@ -5192,7 +5803,7 @@
     </message>
     <message>
         <source>{0.0} rpm puts {1.0} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
-        <translation>{0.0} rpm legt {1.0} Ratterwellen von {2.0} Hz zwischen zwei Zähne, bisher {3.0} rpm</translation>
+        <translation>{0.0} 1/min legt {1.0} Ratterwellen von {2.0} Hz zwischen zwei Zähne, bisher {3.0} 1/min</translation>
     </message>
     <message>
         <source>feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm</source>
@@ -5212,39 +5823,39 @@
     </message>
     <message>
         <source>{0.0} rpm is already the speed for chatter at {1.0} Hz</source>
-        <translation>{0.0} rpm ist schon die Drehzahl gegen Rattern bei {1.0} Hz</translation>
+        <translation>{0.0} 1/min ist schon die Drehzahl gegen Rattern bei {1.0} Hz</translation>
     </message>
     <message>
         <source>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</source>
-        <translation>{0.0} rpm mit {1.0} Wellen zwischen zwei Zähnen ist erreichbar, {2.0} rpm nicht (Rattern {3.0} Hz)</translation>
+        <translation>{0.0} 1/min mit {1.0} Wellen zwischen zwei Zähnen ist erreichbar, {2.0} 1/min nicht (Rattern {3.0} Hz)</translation>
     </message>
     <message>
         <source>{0.0} rpm puts {1.2} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
-        <translation>{0.0} rpm legt {1.2} Ratterwellen von {2.0} Hz zwischen zwei Zähne, bisher {3.0} rpm</translation>
+        <translation>{0.0} 1/min legt {1.2} Ratterwellen von {2.0} Hz zwischen zwei Zähne, bisher {3.0} 1/min</translation>
     </message>
     <message>
         <source>{0.0} rpm brings a tooth harmonic closer to the chatter, {1.1} Hz apart, level {2.2} of its mean</source>
-        <translation>{0.0} rpm bringt eine Zahnharmonische näher ans Rattern, Abstand {1.1} Hz, Pegel {2.2} des Mittels</translation>
+        <translation>{0.0} 1/min bringt eine Zahnharmonische näher ans Rattern, Abstand {1.1} Hz, Pegel {2.2} des Mittels</translation>
     </message>
     <message>
         <source>trying {0.0} rpm for less vibration, now {1.4}, best so far {2.4} at {3.0} rpm</source>
-        <translation>versucht {0.0} rpm für weniger Schwingung, jetzt {1.4}, bisher am besten {2.4} bei {3.0} rpm</translation>
+        <translation>versucht {0.0} 1/min für weniger Schwingung, jetzt {1.4}, bisher am besten {2.4} bei {3.0} 1/min</translation>
     </message>
     <message>
         <source>{0.0} rpm vibrates least, {1.4}</source>
-        <translation>{0.0} rpm schwingt am wenigsten, {1.4}</translation>
+        <translation>{0.0} 1/min schwingt am wenigsten, {1.4}</translation>
     </message>
     <message>
         <source>{0.0} rpm lies between the stability limits at {1.0} and {2.0} rpm (chatter {3.0} Hz)</source>
-        <translation>{0.0} rpm liegt zwischen den Stabilitätsgrenzen bei {1.0} und {2.0} rpm (Rattern {3.0} Hz)</translation>
+        <translation>{0.0} 1/min liegt zwischen den Stabilitätsgrenzen bei {1.0} und {2.0} 1/min (Rattern {3.0} Hz)</translation>
     </message>
     <message>
         <source>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</source>
-        <translation>keine erreichbare Drehzahl ist in dieser Tiefe stabil, {1.2} mm bei {2.0} rpm wären es (Rattern {3.0} Hz)</translation>
+        <translation>keine erreichbare Drehzahl ist in dieser Tiefe stabil, {1.2} mm bei {2.0} 1/min wären es (Rattern {3.0} Hz)</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>
-        <translation>Kohärenz {0.2} und das {1.1}fache der Energie des stabilen Schnitts verlangen {2.0} rpm und {3.0} mm/min</translation>
+        <translation>Kohärenz {0.2} und das {1.1}fache der Energie des stabilen Schnitts verlangen {2.0} 1/min und {3.0} mm/min</translation>
     </message>
     <message>
         <source>authority is off</source>
@@ -5280,7 +5891,7 @@
     </message>
     <message>
         <source>waiting for the spindle, {0.0} of {1.0} rpm</source>
-        <translation>wartet auf die Spindel, {0.0} von {1.0} rpm</translation>
+        <translation>wartet auf die Spindel, {0.0} von {1.0} 1/min</translation>
     </message>
     <message>
         <source>{0.0} changes in a minute, {1.0} allowed</source>
@@ -5340,7 +5951,7 @@
     </message>
     <message>
         <source>the spindle does not follow, {0.0} instead of {1.0} rpm</source>
-        <translation>die Spindel folgt nicht, {0.0} statt {1.0} rpm</translation>
+        <translation>die Spindel folgt nicht, {0.0} statt {1.0} 1/min</translation>
     </message>
     <message>
         <source>the machine does not take the override, {0.1} % instead of {1.1} %</source>
@@ -5348,7 +5959,7 @@
     </message>
     <message>
         <source>the program went from {0.0} to {1.0} rpm, starting again from 100 %</source>
-        <translation>das Programm ging von {0.0} auf {1.0} rpm, beginnt wieder bei 100 %</translation>
+        <translation>das Programm ging von {0.0} auf {1.0} 1/min, beginnt wieder bei 100 %</translation>
     </message>
     <message>
         <source>waiting {0.1} s before taking the overrides again</source>
@@ -5368,11 +5979,11 @@
     </message>
     <message>
         <source>the operator accepted {0.0} rpm and {1.0} mm/min</source>
-        <translation>der Bediener hat {0.0} rpm und {1.0} mm/min angenommen</translation>
+        <translation>der Bediener hat {0.0} 1/min und {1.0} mm/min angenommen</translation>
     </message>
     <message>
         <source>the operator refused {0.0} rpm and {1.0} mm/min</source>
-        <translation>der Bediener hat {0.0} rpm und {1.0} mm/min abgelehnt</translation>
+        <translation>der Bediener hat {0.0} 1/min und {1.0} mm/min abgelehnt</translation>
     </message>
     <message>
         <source>chatter at {0.0} Hz, energy ratio {1.2}</source>
@@ -5383,7 +5994,7 @@
         <translation>Befugnis von {0.0} auf {1.0} geändert</translation>
     </message>
     <message>
-        <source>back to 100 % at the operator&apos;s wish</source>
+        <source>back to 100 % at the operator&apos;s request</source>
         <translation>auf Wunsch des Bedieners zurück auf 100 %</translation>
     </message>
     <message>
@@ -5412,7 +6023,7 @@
     </message>
     <message>
         <source>the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch</source>
-        <translation>der Rat ist jetzt {0.0} rpm und {1.0} mm/min, er muss noch einmal berührt werden</translation>
+        <translation>der Rat ist jetzt {0.0} 1/min und {1.0} mm/min, er muss noch einmal berührt werden</translation>
     </message>
     <message>
         <source>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</source>
@@ -5443,7 +6054,7 @@
         <translation>das meiste, was Kanal {0.0} liefert, ist Netzbrummen von {1.0} Hz, nach Schirm und Masse sehen</translation>
     </message>
     <message>
-        <source>channel {0.0} delivers loud noise and nothing of a cut</source>
+        <source>channel {0.0} delivers strong noise and no cut</source>
         <translation>Kanal {0.0} liefert lautes Rauschen und nichts von einem Schnitt</translation>
     </message>
     <message>
@@ -5463,24 +6074,24 @@
         <translation>lernt noch, {0.1} s fehlen</translation>
     </message>
     <message>
-        <source>channel {0.0} repeats its values, or comes at another rate than told</source>
+        <source>channel {0.0} repeats its values, or comes at another rate than set</source>
         <translation>Kanal {0.0} wiederholt Werte oder kommt mit anderer Rate als angegeben</translation>
     </message>
     <message>
         <source>{0.0} rpm would help against chatter of {3.0} Hz but the override reaches {1.0} to {2.0} rpm</source>
-        <translation>{0.0} rpm würden gegen Rattern mit {3.0} Hz helfen, doch der Override reicht von {1.0} bis {2.0} rpm</translation>
+        <translation>{0.0} 1/min würden gegen Rattern mit {3.0} Hz helfen, doch der Override reicht von {1.0} bis {2.0} 1/min</translation>
     </message>
     <message>
         <source>monitoring only, at {0.0} rpm and an energy ratio of {1.2}</source>
-        <translation>nur Überwachung, bei {0.0} rpm und einem Energieverhältnis von {1.2}</translation>
+        <translation>nur Überwachung, bei {0.0} 1/min und einem Energieanteil von {1.2}</translation>
     </message>
     <message>
         <source>nothing to do at {0.0} rpm and an energy ratio of {1.2}</source>
-        <translation>nichts zu tun bei {0.0} rpm und einem Energieverhältnis von {1.2}</translation>
+        <translation>nichts zu tun bei {0.0} 1/min und einem Energieanteil von {1.2}</translation>
     </message>
     <message>
         <source>verdict or machine state cannot be acted on, staying at {0.0} rpm</source>
-        <translation>nach Urteil oder Maschinenzustand lässt sich nicht handeln, bleibt bei {0.0} rpm</translation>
+        <translation>nach Urteil oder Maschinenzustand lässt sich nicht handeln, bleibt bei {0.0} 1/min</translation>
     </message>
     <message>
         <source>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</source>
@@ -5488,15 +6099,15 @@
     </message>
     <message>
         <source>the move to {0.0} rpm did not help ({1.0} in a row, {2.0} end Auto)</source>
-        <translation>der Wechsel auf {0.0} U/min hat nicht geholfen ({1.0} hintereinander, {2.0} beenden Auto)</translation>
+        <translation>der Wechsel auf {0.0} 1/min hat nicht geholfen ({1.0} hintereinander, {2.0} beenden Auto)</translation>
     </message>
     <message>
         <source>at {0.0} rpm the cut is {1.1} times as loud as before the move ({2.0} moves in a row without help, {3.0} end Auto)</source>
-        <translation>bei {0.0} U/min ist der Schnitt {1.1}-mal so laut wie vor dem Wechsel ({2.0} Wechsel hintereinander ohne Hilfe, {3.0} beenden Auto)</translation>
+        <translation>bei {0.0} 1/min ist der Schnitt {1.1}-mal so laut wie vor dem Wechsel ({2.0} Wechsel hintereinander ohne Hilfe, {3.0} beenden Auto)</translation>
     </message>
     <message>
         <source>{0.0} rpm made the cut louder and is not tried again</source>
-        <translation>{0.0} U/min hat den Schnitt lauter gemacht und wird nicht noch einmal versucht</translation>
+        <translation>{0.0} 1/min hat den Schnitt lauter gemacht und wird nicht noch einmal versucht</translation>
     </message>
     <message>
         <source>{0.0} moves in a row did not help, advice only from now on</source>
@@ -5504,7 +6115,7 @@
     </message>
     <message>
         <source>no chatter at {0.0} rpm, though the cut is {1.1} times as loud as before the move</source>
-        <translation>kein Rattern bei {0.0} U/min, aber der Schnitt ist {1.1}-mal so laut wie vor dem Wechsel</translation>
+        <translation>kein Rattern bei {0.0} 1/min, aber der Schnitt ist {1.1}-mal so laut wie vor dem Wechsel</translation>
     </message>
     <message>
         <source>the newest samples that were judged are {0.2} s old, nothing is moved by them</source>
@@ -5520,7 +6131,7 @@
     </message>
     <message>
         <source>stable, keeping {0.0} rpm that chatter of {1.0} Hz asked for</source>
-        <translation>stabil, bleibt bei {0.0} U/min, die das Rattern mit {1.0} Hz verlangt hat</translation>
+        <translation>stabil, bleibt bei {0.0} 1/min, die das Rattern mit {1.0} Hz verlangt hat</translation>
     </message>
     <message>
         <source>{0.0} speeds tried and none is stable (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</source>
@@ -5532,11 +6143,15 @@
     </message>
     <message>
         <source>the number of flutes is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
-        <translation>die Schneidenzahl ist nicht bekannt, aus Rattern mit {0.0} Hz bei {1.0} U/min folgt keine Drehzahl</translation>
+        <translation>die Schneidenzahl ist nicht bekannt, aus Rattern mit {0.0} Hz bei {1.0} 1/min folgt keine Drehzahl</translation>
     </message>
     <message>
         <source>nothing was read from a machine yet</source>
         <translation>von einer Maschine wurde noch nichts gelesen</translation>
+    </message>
+    <message>
+        <source>the tone of an axis drive glides, now at {0.0} Hz</source>
+        <translation>der Ton eines Achsantriebs gleitet, jetzt bei {0.0} Hz</translation>
     </message>
 </context>
 <context>
@@ -5606,6 +6221,21 @@
     </message>
 </context>
 <context>
+    <name>Tap</name>
+    <message>
+        <source>tap test: %1 modes</source>
+        <translation>Klopfversuch: %1 Moden</translation>
+    </message>
+    <message>
+        <source>Simulated hammer and tool</source>
+        <translation>Simulierter Hammer und Werkzeug</translation>
+    </message>
+    <message>
+        <source>As chosen under Set up</source>
+        <translation>Wie unter Aufbau gewählt</translation>
+    </message>
+</context>
+<context>
     <name>Trial</name>
     <message>
         <source>%1 Hz, channels: %2</source>
@@ -5620,7 +6250,7 @@
     <name>stillcut::ui</name>
     <message>
         <source>%1 rpm, %2</source>
-        <translation>%1 rpm, %2</translation>
+        <translation>%1 1/min, %2</translation>
     </message>
     <message>
         <source>Costs no time</source>
@@ -5923,6 +6553,14 @@
         <translation>Bisher im Rattern: %1, %2</translation>
     </message>
     <message>
+        <source>ENTRY</source>
+        <translation>EINTRITT</translation>
+    </message>
+    <message>
+        <source>EXIT</source>
+        <translation>AUSTRITT</translation>
+    </message>
+    <message>
         <source>NO VERDICT</source>
         <translation>KEIN URTEIL</translation>
     </message>
@@ -6020,7 +6658,7 @@
     </message>
     <message>
         <source>rpm</source>
-        <translation>rpm</translation>
+        <translation>1/min</translation>
     </message>
     <message>
         <source>Authority</source>
@@ -6120,7 +6758,7 @@
     </message>
     <message>
         <source>Speed [rpm]</source>
-        <translation>Drehzahl [rpm]</translation>
+        <translation>Drehzahl [1/min]</translation>
     </message>
     <message>
         <source>Vibration rms</source>
@@ -6296,7 +6934,7 @@
     </message>
     <message>
         <source>energy ratio</source>
-        <translation>Energieverhältnis</translation>
+        <translation>Energieanteil</translation>
     </message>
     <message>
         <source>frequency [Hz]</source>
@@ -6828,11 +7466,11 @@
     </message>
     <message>
         <source>The onset of chatter was found once</source>
-        <translation>Der Ansatz von Rattern wurde einmal gefunden</translation>
+        <translation>Der Beginn von Rattern wurde einmal gefunden</translation>
     </message>
     <message>
         <source>The onset of chatter was found %1 times</source>
-        <translation>Der Ansatz von Rattern wurde %1 Mal gefunden</translation>
+        <translation>Der Beginn von Rattern wurde %1 Mal gefunden</translation>
     </message>
     <message>
         <source>; it became no chatter</source>
@@ -6840,7 +7478,7 @@
     </message>
     <message>
         <source>Onset %1</source>
-        <translation>Ansatz %1</translation>
+        <translation>Beginn %1</translation>
     </message>
     <message>
         <source>%1, going on</source>
@@ -6952,7 +7590,7 @@
     </message>
     <message>
         <source>Onset %1, stable after %2, nothing marked</source>
-        <translation>Ansatz %1, stabil nach %2, nichts markiert</translation>
+        <translation>Beginn %1, stabil nach %2, nichts markiert</translation>
     </message>
     <message>
         <source>%1 when the tool left the cut</source>
@@ -6980,7 +7618,7 @@
     </message>
     <message>
         <source>%1 active, alarms: %2, in alarm %3, energy ratio to %4</source>
-        <translation>%1 aktiv, Alarme: %2, im Alarm %3, Energieverhältnis bis %4</translation>
+        <translation>%1 aktiv, Alarme: %2, im Alarm %3, Energieanteil bis %4</translation>
     </message>
     <message>
         <source>The cut is stable</source>
@@ -7017,6 +7655,334 @@
     <message>
         <source>Stable after</source>
         <translation>Stabil nach</translation>
+    </message>
+    <message>
+        <source>Choose a device</source>
+        <translation>Gerät wählen</translation>
+    </message>
+    <message>
+        <source>Or open files of a tap test, or drop them here.</source>
+        <translation>Oder Dateien eines Klopfversuchs öffnen oder hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>Opening the device</source>
+        <translation>Gerät wird geöffnet</translation>
+    </message>
+    <message>
+        <source>No samples</source>
+        <translation>Keine Messwerte</translation>
+    </message>
+    <message>
+        <source>No sensor</source>
+        <translation>Kein Sensor</translation>
+    </message>
+    <message>
+        <source>None of its channels feels the tool.</source>
+        <translation>Keiner seiner Kanäle spürt das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Without a hammer: frequencies, damping and speeds to try; no stiffness, no depth.</source>
+        <translation>Ohne Hammer: Frequenzen, Dämpfung und Drehzahlen zum Versuchen; keine Steifigkeit, keine Tiefe.</translation>
+    </message>
+    <message>
+        <source>Press BEGIN, then hit the tip five times.</source>
+        <translation>BEGINNEN drücken, dann fünfmal an die Spitze klopfen.</translation>
+    </message>
+    <message>
+        <source>Refused: %1.</source>
+        <translation>Abgelehnt: %1.</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>double hit</source>
+        <translation>Doppelschlag</translation>
+    </message>
+    <message>
+        <source>overload of the hammer</source>
+        <translation>Hammer übersteuert</translation>
+    </message>
+    <message>
+        <source>overload of the sensor</source>
+        <translation>Sensor übersteuert</translation>
+    </message>
+    <message>
+        <source>too weak</source>
+        <translation>zu schwach</translation>
+    </message>
+    <message>
+        <source>it still rang</source>
+        <translation>schwang noch</translation>
+    </message>
+    <message>
+        <source>samples were lost</source>
+        <translation>Messwerte fehlen</translation>
+    </message>
+    <message>
+        <source>differs from the others</source>
+        <translation>weicht von den anderen ab</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Liest</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>Nicht gemessen</translation>
+    </message>
+    <message>
+        <source>From files</source>
+        <translation>Aus Dateien</translation>
+    </message>
+    <message>
+        <source>%1 of %2 good hits along %3</source>
+        <translation>%1 von %2 guten Schlägen längs %3</translation>
+    </message>
+    <message>
+        <source>Be quiet</source>
+        <translation>Still sein</translation>
+    </message>
+    <message>
+        <source>The noise is being measured.</source>
+        <translation>Das Rauschen wird gemessen.</translation>
+    </message>
+    <message>
+        <source>HIT NOW</source>
+        <translation>JETZT KLOPFEN</translation>
+    </message>
+    <message>
+        <source>Listening</source>
+        <translation>Hört zu</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>It still rings. %1</source>
+        <translation>Es schwingt noch. %1</translation>
+    </message>
+    <message>
+        <source>Done along %1</source>
+        <translation>Fertig längs %1</translation>
+    </message>
+    <message>
+        <source>Turn hammer and sensor and measure y, or go on to MODES.</source>
+        <translation>Hammer und Sensor drehen und y messen, oder weiter zu MODEN.</translation>
+    </message>
+    <message>
+        <source>Go on to MODES.</source>
+        <translation>Weiter zu MODEN.</translation>
+    </message>
+    <message>
+        <source>Hit</source>
+        <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Judged</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>A touch takes it, or leaves it out</source>
+        <translation>Ein Tipp nimmt ihn oder lässt ihn weg</translation>
+    </message>
+    <message>
+        <source>Damping, %</source>
+        <translation>Dämpfung, %</translation>
+    </message>
+    <message>
+        <source>Soft, %</source>
+        <translation>Weich, %</translation>
+    </message>
+    <message>
+        <source>No modes yet</source>
+        <translation>Noch keine Moden</translation>
+    </message>
+    <message>
+        <source>Measure first, or tick a mode under MODES.</source>
+        <translation>Erst messen, oder unter MODEN eine anhaken.</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Rechnet</translation>
+    </message>
+    <message>
+        <source>Cannot be computed</source>
+        <translation>Nicht zu berechnen</translation>
+    </message>
+    <message>
+        <source>Try %1 rpm</source>
+        <translation>%1 1/min versuchen</translation>
+    </message>
+    <message>
+        <source>Speeds to try: %1. At these the tool swings whole times between two teeth. How deep cannot be told: that takes the force of a hammer.</source>
+        <translation>Drehzahlen zum Versuchen: %1. Bei ihnen schwingt das Werkzeug ganze Male zwischen zwei Zähnen. Wie tief, lässt sich nicht sagen: dazu gehört die Kraft eines Hammers.</translation>
+    </message>
+    <message>
+        <source>Removes %1. At any speed only %2 deep.</source>
+        <translation>Zerspant %1. Bei jeder Drehzahl nur %2 tief.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s length ends it, not chatter.</source>
+        <translation>Die Länge des Werkzeugs begrenzt, nicht das Rattern.</translation>
+    </message>
+    <message>
+        <source>Nine times in ten the true limit lies deeper; a tenth is taken off besides.</source>
+        <translation>In neun von zehn Fällen liegt die wahre Grenze tiefer; ein Zehntel ist noch abgezogen.</translation>
+    </message>
+    <message>
+        <source>%1 teeth</source>
+        <translation>%1 Zähne</translation>
+    </message>
+    <message>
+        <source>rev/min</source>
+        <translation>1/min</translation>
+    </message>
+    <message>
+        <source>Judged again: %1</source>
+        <translation>Neu beurteilt: %1</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>The simulated cut is over</source>
+        <translation>Der simulierte Schnitt ist zu Ende</translation>
+    </message>
+    <message>
+        <source>AGAIN runs it once more. Your own machine: the page Set up</source>
+        <translation>NOCHMAL lässt ihn erneut laufen. Die eigene Maschine: Seite Aufbau</translation>
+    </message>
+    <message>
+        <source>Stillcut moves the speed %1</source>
+        <translation>Stillcut stellt die Drehzahl %1</translation>
+    </message>
+    <message>
+        <source>Stillcut moves the feed %1</source>
+        <translation>Stillcut stellt den Vorschub %1</translation>
+    </message>
+    <message>
+        <source>Stillcut lets go: back to the operator&apos;s overrides</source>
+        <translation>Stillcut lässt los: zurück zu den Overrides des Bedieners</translation>
+    </message>
+    <message>
+        <source>The operator moves the speed override %1</source>
+        <translation>Der Bediener stellt den Drehzahl-Override %1</translation>
+    </message>
+    <message>
+        <source>The operator moves the feed override %1</source>
+        <translation>Der Bediener stellt den Vorschub-Override %1</translation>
+    </message>
+    <message>
+        <source>The program asks for another speed: %1</source>
+        <translation>Das Programm verlangt eine andere Drehzahl: %1</translation>
+    </message>
+    <message>
+        <source>Somebody has set %1</source>
+        <translation>Jemand hat %1 gesetzt</translation>
+    </message>
+    <message>
+        <source>the teeth shake least at %1, %2</source>
+        <translation>am ruhigsten laufen die Zähne bei %1, %2</translation>
+    </message>
+    <message>
+        <source>without Stillcut %1</source>
+        <translation>ohne Stillcut %1</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>Von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>As delivered</source>
+        <translation>Wie ausgeliefert</translation>
+    </message>
+    <message>
+        <source>One step more sensitive</source>
+        <translation>Eine Stufe empfindlicher</translation>
+    </message>
+    <message>
+        <source>One step less sensitive</source>
+        <translation>Eine Stufe unempfindlicher</translation>
+    </message>
+    <message>
+        <source>%1 steps more sensitive</source>
+        <translation>%1 Stufen empfindlicher</translation>
+    </message>
+    <message>
+        <source>%1 steps less sensitive</source>
+        <translation>%1 Stufen unempfindlicher</translation>
+    </message>
+    <message>
+        <source>Looking at your last recordings</source>
+        <translation>Sieht die letzten Aufnahmen durch</translation>
+    </message>
+    <message>
+        <source>There are no recordings yet to try it on</source>
+        <translation>Noch keine Aufnahmen, an denen es sich erproben ließe</translation>
+    </message>
+    <message>
+        <source>In your last recording it would have alarmed %1 times, %2 of them marked false</source>
+        <translation>In der letzten Aufnahme hätte es %1-mal Alarm gegeben, davon %2 als falsch markiert</translation>
+    </message>
+    <message>
+        <source>In your last %1 recordings it would have alarmed %2 times, %3 of them marked false</source>
+        <translation>In den letzten %1 Aufnahmen hätte es %2-mal Alarm gegeben, davon %3 als falsch markiert</translation>
+    </message>
+    <message>
+        <source>; as they were recorded %1 times, %2 of them marked false</source>
+        <translation>; wie aufgenommen %1-mal, davon %2 als falsch markiert</translation>
+    </message>
+    <message>
+        <source>; looking at more</source>
+        <translation>; sieht weitere durch</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>It does not run again: %1. AGAIN tries once more</source>
+        <translation>Er läuft nicht noch einmal: %1. NOCHMAL versucht es wieder</translation>
+    </message>
+    <message>
+        <source>recordings: %1, %2</source>
+        <translation>Aufnahmen: %1, %2</translation>
+    </message>
+    <message>
+        <source>alarms: %1</source>
+        <translation>Alarme: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 an hour, %3 long</source>
+        <translation>%1, %2 je Stunde, %3 lang</translation>
+    </message>
+    <message>
+        <source>As the run ended</source>
+        <translation>Wie der Lauf endete</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
     </message>
 </context>
 <context>
@@ -7084,6 +8050,10 @@
         <source>What to do</source>
         <translation>Was zu tun ist</translation>
     </message>
+    <message>
+        <source>AGAIN</source>
+        <translation>NOCHMAL</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AnalyseTools</name>
@@ -7118,6 +8088,14 @@
     <message>
         <source>Channel of spectrogram, spectrum and signal</source>
         <translation>Kanal von Spektrogramm, Spektrum und Signal</translation>
+    </message>
+    <message>
+        <source>FILE</source>
+        <translation>DATEI</translation>
+    </message>
+    <message>
+        <source>EVENTS</source>
+        <translation>LOG</translation>
     </message>
 </context>
 <context>
@@ -7209,12 +8187,143 @@
         <source>%1, now %2</source>
         <translation>%1, jetzt %2</translation>
     </message>
+    <message>
+        <source>cable out or keeper dead: they stay</source>
+        <translation>Kabel ab, Hüter tot: sie bleiben</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ComponentListModel</name>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::CutForm</name>
+    <message>
+        <source>OPEN FILE</source>
+        <translation>DATEI ÖFFNEN</translation>
+    </message>
+    <message>
+        <source>Take a cut, a scenario, a profile or modes from a file</source>
+        <translation>Schnitt, Szenario, Profil oder Moden aus einer Datei nehmen</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Cutting force, along</source>
+        <translation>Kraft tangential</translation>
+    </message>
+    <message>
+        <source>Cutting force, across</source>
+        <translation>Kraft radial</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Helix angle</source>
+        <translation>Drallwinkel</translation>
+    </message>
+    <message>
+        <source>Width of cut</source>
+        <translation>Eingriffsbreite</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>Vorschub je Zahn</translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation>Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Kleinste Drehzahl</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Größte Drehzahl</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>ADD MODE</source>
+        <translation>MODE DAZU</translation>
+    </message>
+    <message>
+        <source>Add a row for a mode</source>
+        <translation>Eine Zeile für eine Mode anfügen</translation>
+    </message>
+    <message>
+        <source>REMOVE MODE</source>
+        <translation>MODE WEG</translation>
+    </message>
+    <message>
+        <source>Remove the chosen mode</source>
+        <translation>Die gewählte Mode entfernen</translation>
+    </message>
+    <message>
+        <source>SHOW LOBES</source>
+        <translation>KURVE ZEIGEN</translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation>Gleichlauf</translation>
+    </message>
+    <message>
+        <source>conventional</source>
+        <translation>Gegenlauf</translation>
+    </message>
+    <message>
+        <source>Modes of tool and holder at the tip</source>
+        <translation>Moden von Werkzeug und Halter an der Spitze</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>entlang</translation>
+    </message>
+    <message>
+        <source>frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>damping, %</source>
+        <translation>Dämpfung, %</translation>
+    </message>
+    <message>
+        <source>stiffness, N/µm</source>
+        <translation>Steifigkeit, N/µm</translation>
+    </message>
+    <message>
+        <source>by its forces</source>
+        <translation>nach Kräften</translation>
+    </message>
+    <message>
+        <source>Your own cut: type it, or open a file</source>
+        <translation>Eigener Schnitt: eintippen oder eine Datei öffnen</translation>
+    </message>
+    <message>
+        <source>A cut, a scenario, a profile or modes</source>
+        <translation>Schnitt, Szenario, Profil oder Moden</translation>
+    </message>
+    <message>
+        <source>Milling direction</source>
+        <translation>Fräsrichtung</translation>
+    </message>
+    <message>
+        <source>Deepest cut</source>
+        <translation>Größte Tiefe</translation>
     </message>
 </context>
 <context>
@@ -7242,6 +8351,296 @@
     <message>
         <source>INCH</source>
         <translation>ZOLL</translation>
+    </message>
+    <message>
+        <source>HELP</source>
+        <translation>HILFE</translation>
+    </message>
+    <message>
+        <source>The manual of this page</source>
+        <translation>Das Handbuch zu dieser Seite</translation>
+    </message>
+    <message>
+        <source>TEXT</source>
+        <translation>SCHRIFT</translation>
+    </message>
+    <message>
+        <source>LARGE TEXT</source>
+        <translation>GROSSE SCHRIFT</translation>
+    </message>
+    <message>
+        <source>LARGEST TEXT</source>
+        <translation>GRÖSSTE SCHRIFT</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::EventPanel</name>
+    <message>
+        <source>What happened at 13:58, or a word</source>
+        <translation>Was war um 13:58, oder ein Wort</translation>
+    </message>
+    <message>
+        <source>Search the events by time of day or by a word</source>
+        <translation>Ereignisse nach Uhrzeit oder Wort suchen</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschehen ist</translation>
+    </message>
+    <message>
+        <source>Nothing has happened yet</source>
+        <translation>Noch ist nichts geschehen</translation>
+    </message>
+    <message>
+        <source>Nothing like that</source>
+        <translation>Nichts dergleichen</translation>
+    </message>
+    <message>
+        <source>Nothing at %1. The nearest is chosen</source>
+        <translation>Nichts um %1. Das Nächstliegende ist gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FileAnswerPanel</name>
+    <message>
+        <source>Teeth</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>Speed, rev/min</source>
+        <translation>Drehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>OPEN A RECORDING</source>
+        <translation>AUFNAHME ÖFFNEN</translation>
+    </message>
+    <message>
+        <source>Choose a recording to look at</source>
+        <translation>Eine Aufnahme zum Ansehen wählen</translation>
+    </message>
+    <message>
+        <source>Your recording</source>
+        <translation>Ihre Aufnahme</translation>
+    </message>
+    <message>
+        <source>Reading, %1</source>
+        <translation>Wird gelesen, %1</translation>
+    </message>
+    <message>
+        <source>Chatter or not, the reason, and the speed that helps. Drop a file on this window, or open one: sound of a phone, a table, a logger&apos;s file, a session.</source>
+        <translation>Rattern oder nicht, der Grund, und die Drehzahl, die hilft. Eine Datei auf das Fenster ziehen oder öffnen: Ton vom Telefon, eine Tabelle, die Datei eines Loggers, ein Lauf.</translation>
+    </message>
+    <message>
+        <source>Cannot be judged</source>
+        <translation>Nicht beurteilbar</translation>
+    </message>
+    <message>
+        <source>Cannot be read</source>
+        <translation>Nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Judging, %1</source>
+        <translation>Wird beurteilt, %1</translation>
+    </message>
+    <message>
+        <source>In the signal: %1 rev/min</source>
+        <translation>Im Signal: %1 1/min</translation>
+    </message>
+    <message>
+        <source>In the signal: %1 rev/min, or %2</source>
+        <translation>Im Signal: %1 1/min, oder %2</translation>
+    </message>
+    <message>
+        <source>Teeth by the signal: %1</source>
+        <translation>Zähne nach dem Signal: %1</translation>
+    </message>
+    <message>
+        <source>Teeth by the signal: %1, or %2</source>
+        <translation>Zähne nach dem Signal: %1, oder %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FilePage</name>
+    <message>
+        <source>No recording can be opened here.</source>
+        <translation>Hier kann keine Aufnahme geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>LISTEN</source>
+        <translation>ANHÖREN</translation>
+    </message>
+    <message>
+        <source>Play the sound of the stretch on show</source>
+        <translation>Den gezeigten Abschnitt als Ton abspielen</translation>
+    </message>
+    <message>
+        <source>OVERLAY</source>
+        <translation>DANEBEN</translation>
+    </message>
+    <message>
+        <source>Lay a second recording beside this one</source>
+        <translation>Eine zweite Aufnahme daneben legen</translation>
+    </message>
+    <message>
+        <source>PICTURE</source>
+        <translation>BILD</translation>
+    </message>
+    <message>
+        <source>Write a picture of this page beside the recording</source>
+        <translation>Ein Bild dieser Seite neben die Aufnahme schreiben</translation>
+    </message>
+    <message>
+        <source>REPORT</source>
+        <translation>BERICHT</translation>
+    </message>
+    <message>
+        <source>Write a report of this recording beside it</source>
+        <translation>Einen Bericht dieser Aufnahme daneben schreiben</translation>
+    </message>
+    <message>
+        <source>The report is being made</source>
+        <translation>Der Bericht entsteht</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Open a recording beside it</source>
+        <translation>Aufnahme daneben öffnen</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FileSpectrum</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom. Double click: all.</source>
+        <translation>Klick: Harmonischen-Cursor. H: auf die stärkste Linie. Ziehen: verschieben. Rad: zoomen. Doppelklick: alles.</translation>
+    </message>
+    <message>
+        <source>, order %1</source>
+        <translation>, Ordnung %1</translation>
+    </message>
+    <message>
+        <source>, beside %1</source>
+        <translation>, daneben %1</translation>
+    </message>
+    <message>
+        <source>SPECTRUM AT A, %1</source>
+        <translation>SPEKTRUM BEI A, %1</translation>
+    </message>
+    <message>
+        <source>SPECTRUM, MEAN</source>
+        <translation>SPEKTRUM, MITTEL</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>chatter %1</source>
+        <translation>Rattern %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FileTools</name>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Samples of one spectrum</source>
+        <translation>Werte je Spektrum</translation>
+    </message>
+    <message>
+        <source>Window of the spectra</source>
+        <translation>Fenster der Spektren</translation>
+    </message>
+    <message>
+        <source>Hann</source>
+        <translation>Hann</translation>
+    </message>
+    <message>
+        <source>Flat top</source>
+        <translation>Flattop</translation>
+    </message>
+    <message>
+        <source>Rectangular</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Overlap of the spectra</source>
+        <translation>Überlappung der Spektren</translation>
+    </message>
+    <message>
+        <source>LOG</source>
+        <translation>LOG</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis of frequency</source>
+        <translation>Logarithmische Frequenzachse</translation>
+    </message>
+    <message>
+        <source>ORDERS</source>
+        <translation>ORDNUNGEN</translation>
+    </message>
+    <message>
+        <source>Frequencies as orders of the spindle</source>
+        <translation>Frequenzen als Ordnungen der Spindel</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FrfPlot</name>
+    <message>
+        <source>Frequency response at the tip</source>
+        <translation>Frequenzgang an der Spitze</translation>
+    </message>
+    <message>
+        <source>Coherence; below the mark it says little</source>
+        <translation>Kohärenz; unter der Marke sagt sie wenig</translation>
+    </message>
+    <message>
+        <source>One hit only: not known</source>
+        <translation>Nur ein Schlag: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>No hammer: not known</source>
+        <translation>Kein Hammer: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Here the response of the tool appears with the first good hit.</source>
+        <translation>Hier erscheint mit dem ersten guten Schlag die Antwort des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Real part; dashed: the modes</source>
+        <translation>Realteil; gestrichelt: die Moden</translation>
+    </message>
+    <message>
+        <source>Imaginary part</source>
+        <translation>Imaginärteil</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
     </message>
 </context>
 <context>
@@ -7276,6 +8675,17 @@
     <message>
         <source>order</source>
         <translation>Ordnung</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::IndicatorStrip</name>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>Grenze %1</translation>
     </message>
 </context>
 <context>
@@ -7332,7 +8742,7 @@
     </message>
     <message>
         <source>spindle speed [rpm]</source>
-        <translation>Drehzahl [rpm]</translation>
+        <translation>Drehzahl [1/min]</translation>
     </message>
     <message>
         <source>depth of cut [in]</source>
@@ -7390,10 +8800,6 @@
         <translation>ABBRECHEN</translation>
     </message>
     <message>
-        <source>Computing; the diagram before stays until it is done</source>
-        <translation>Rechnet; das vorige Diagramm bleibt bis dahin stehen</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>Abgebrochen</translation>
     </message>
@@ -7436,6 +8842,69 @@
     <message>
         <source>Stable speeds at this depth</source>
         <translation>Stabile Drehzahlen in dieser Tiefe</translation>
+    </message>
+    <message>
+        <source>THE CUT THAT RUNS</source>
+        <translation>LAUFENDER SCHNITT</translation>
+    </message>
+    <message>
+        <source>Lobes of the cut that runs or is replayed</source>
+        <translation>Kurve des Schnitts, der läuft oder wiedergegeben wird</translation>
+    </message>
+    <message>
+        <source>YOUR OWN CUT</source>
+        <translation>EIGENER SCHNITT</translation>
+    </message>
+    <message>
+        <source>Enter a cut, or open a file with one</source>
+        <translation>Einen Schnitt eingeben oder aus einer Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Enter tool, modes, material and engagement, or open a file: no machine and no run is needed.</source>
+        <translation>Werkzeug, Moden, Werkstoff und Eingriff eingeben oder eine Datei öffnen: es braucht weder Maschine noch Lauf.</translation>
+    </message>
+    <message>
+        <source>Or touch YOUR OWN CUT and enter them here.</source>
+        <translation>Oder EIGENER SCHNITT berühren und sie hier eingeben.</translation>
+    </message>
+    <message>
+        <source>BACK TO THE LOBES</source>
+        <translation>ZURÜCK ZUR KURVE</translation>
+    </message>
+    <message>
+        <source>CHANGE YOUR CUT</source>
+        <translation>SCHNITT ÄNDERN</translation>
+    </message>
+    <message>
+        <source>Computing; the diagram becomes finer until it is done</source>
+        <translation>Rechnet; das Diagramm wird feiner, bis es fertig ist</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Rechnet</translation>
+    </message>
+    <message>
+        <source>No speed is stable at %1. The deepest stable cut: %2 at %3</source>
+        <translation>Bei %1 ist keine Drehzahl stabil. Der tiefste stabile Schnitt: %2 bei %3</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::MachinePlot</name>
+    <message>
+        <source>MACHINE</source>
+        <translation>MASCHINE</translation>
+    </message>
+    <message>
+        <source>thick: what it did; thin: programmed; overrides: thick speed, thin feed</source>
+        <translation>dick: was sie tat; dünn: programmiert; Override: dick Drehzahl, dünn Vorschub</translation>
+    </message>
+    <message>
+        <source>Speed, feed and overrides as they were read back</source>
+        <translation>Drehzahl, Vorschub und Override, wie zurückgelesen</translation>
+    </message>
+    <message>
+        <source>Nothing was read from a machine</source>
+        <translation>Von keiner Maschine wurde etwas gelesen</translation>
     </message>
 </context>
 <context>
@@ -7733,7 +9202,7 @@
     </message>
     <message>
         <source>best, rpm</source>
-        <translation>beste, rpm</translation>
+        <translation>beste, 1/min</translation>
     </message>
     <message>
         <source>down to</source>
@@ -7749,7 +9218,7 @@
     </message>
     <message>
         <source>stable, rpm</source>
-        <translation>stabil, U/min</translation>
+        <translation>stabil, 1/min</translation>
     </message>
 </context>
 <context>
@@ -7873,6 +9342,29 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::SensitivityPanel</name>
+    <message>
+        <source>LESS SENSITIVE</source>
+        <translation>UNEMPFINDLICHER</translation>
+    </message>
+    <message>
+        <source>MORE SENSITIVE</source>
+        <translation>EMPFINDLICHER</translation>
+    </message>
+    <message>
+        <source>When it alarms: %1</source>
+        <translation>Wann es Alarm gibt: %1</translation>
+    </message>
+    <message>
+        <source>ENERGY RATIO: full chatter from the limit on</source>
+        <translation>ENERGIEANTEIL: ab der Grenze volles Rattern</translation>
+    </message>
+    <message>
+        <source>EVIDENCE OF GROWTH: an onset from the limit on</source>
+        <translation>HINWEIS AUF WACHSTUM: ab der Grenze ein Beginn</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::SessionList</name>
     <message>
         <source>Find job or tool</source>
@@ -7933,6 +9425,30 @@
     <message>
         <source>No recordings here. Cuts are recorded as the page SET UP, RECORDING says.</source>
         <translation>Hier sind keine Aufnahmen. Aufgenommen wird, wie es auf AUFBAU, AUFNAHME steht.</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>HISTORY</source>
+        <translation>VERLAUF</translation>
+    </message>
+    <message>
+        <source>Alarms by day, tool or job over all recordings</source>
+        <translation>Alarme nach Tag, Werkzeug oder Job über alle Aufnahmen</translation>
+    </message>
+    <message>
+        <source>recordings still to be read: %1</source>
+        <translation>noch zu lesende Aufnahmen: %1</translation>
+    </message>
+    <message>
+        <source>without alarms of their own, not counted: %1</source>
+        <translation>ohne eigene Alarme, nicht gezählt: %1</translation>
+    </message>
+    <message>
+        <source>No recording has this in its job, tool or date.</source>
+        <translation>Keine Aufnahme hat das in Job, Werkzeug oder Datum.</translation>
     </message>
 </context>
 <context>
@@ -8115,6 +9631,22 @@
         <source>OVERLAY</source>
         <translation>DANEBEN</translation>
     </message>
+    <message>
+        <source>WHOLE FILE</source>
+        <translation>GANZE DATEI</translation>
+    </message>
+    <message>
+        <source>Look at this recording as a whole, or open another file</source>
+        <translation>Diese Aufnahme als Ganzes ansehen oder eine andere Datei öffnen</translation>
+    </message>
+    <message>
+        <source>EVENTS</source>
+        <translation>LOG</translation>
+    </message>
+    <message>
+        <source>What happened in this recording</source>
+        <translation>Was in dieser Aufnahme geschah</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SettingsForm</name>
@@ -8228,10 +9760,6 @@
 <context>
     <name>stillcut::ui::SetupGuide</name>
     <message>
-        <source>Two ways to begin</source>
-        <translation>Zwei Wege zu beginnen</translation>
-    </message>
-    <message>
         <source>SHOW ME A SIMULATED CUT</source>
         <translation>SIMULIERTEN SCHNITT ZEIGEN</translation>
     </message>
@@ -8270,6 +9798,33 @@
     <message>
         <source>active</source>
         <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>Three ways to begin</source>
+        <translation>Drei Wege zum Anfang</translation>
+    </message>
+    <message>
+        <source>LOOK AT MY RECORDING</source>
+        <translation>MEINE AUFNAHME ANSEHEN</translation>
+    </message>
+    <message>
+        <source>Or open a recording of a cut, of a phone or a logger: whether it chatters, why, and which speed helps.</source>
+        <translation>Oder eine Aufnahme eines Schnitts öffnen, vom Telefon oder Datenlogger: ob sie rattert, warum, und welche Drehzahl hilft.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupLimits</name>
+    <message>
+        <source>STILLCUT NEVER DRIVES THE MACHINE BEYOND</source>
+        <translation>DARÜBER FÄHRT STILLCUT DIE MASCHINE NIE HINAUS</translation>
+    </message>
+    <message>
+        <source>What the program says and the operator&apos;s own overrides are left alone. The limits are saved with the profile and hold from its START on, for the whole run.</source>
+        <translation>Was das Programm sagt und die eigenen Overrides des Bedieners bleiben, wie sie sind. Die Grenzen werden mit dem Profil gesichert und gelten ab dessen START für den ganzen Lauf.</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
     </message>
 </context>
 <context>
@@ -8368,6 +9923,10 @@
     <message>
         <source>RECORDING</source>
         <translation>AUFNAHME</translation>
+    </message>
+    <message>
+        <source>LIMITS</source>
+        <translation>GRENZEN</translation>
     </message>
 </context>
 <context>
@@ -8645,6 +10204,10 @@
         <source>Opening the device</source>
         <translation>Das Gerät wird geöffnet</translation>
     </message>
+    <message>
+        <source>Take %1, which is plugged in here</source>
+        <translation>%1 nehmen, das hier angesteckt ist</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupTools</name>
@@ -8777,12 +10340,71 @@
         <translation>Durchmesser</translation>
     </message>
     <message>
-        <source>Diameter, %1</source>
-        <translation>Durchmesser, %1</translation>
-    </message>
-    <message>
         <source>Flutes</source>
         <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schneidet</translation>
+    </message>
+    <message>
+        <source>File of its response</source>
+        <translation>Datei der Antwort</translation>
+    </message>
+    <message>
+        <source>Stick-out</source>
+        <translation>Auskraglänge</translation>
+    </message>
+    <message>
+        <source>Deepest cut</source>
+        <translation>Größte Zustellung</translation>
+    </message>
+    <message>
+        <source>Lowest speed, rpm</source>
+        <translation>Niedrigste Drehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Not used: %1</source>
+        <translation>Nicht benutzt: %1</translation>
+    </message>
+    <message>
+        <source>modes: %1</source>
+        <translation>Moden: %1</translation>
+    </message>
+    <message>
+        <source>response: %1</source>
+        <translation>Antwort: %1</translation>
+    </message>
+    <message>
+        <source>Not kept: the lowest speed lies above the highest</source>
+        <translation>Nicht behalten: die niedrigste Drehzahl liegt über der höchsten</translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation>Nicht behalten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SpectraMap</name>
+    <message>
+        <source>SPECTROGRAM</source>
+        <translation>SPEKTROGRAMM</translation>
+    </message>
+    <message>
+        <source>Drag: move. Wheel: zoom in time, with Ctrl in frequency. Ctrl and drag: zoom to a stretch. Double click: all. Click: cursor A, with Shift B.</source>
+        <translation>Ziehen: verschieben. Rad: Zeit zoomen, mit Strg die Frequenz. Strg und Ziehen: auf einen Abschnitt zoomen. Doppelklick: alles. Klick: Cursor A, mit Umschalt B.</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>chatter %1</source>
+        <translation>Rattern %1</translation>
     </message>
 </context>
 <context>
@@ -8793,7 +10415,7 @@
     </message>
     <message>
         <source>X: axis in Hz, orders or rpm. Page Up, Page Down: reach of the axis.</source>
-        <translation>X: Achse in Hz, Ordnungen oder rpm. Bild auf, Bild ab: Reichweite der Achse.</translation>
+        <translation>X: Achse in Hz, Ordnungen oder 1/min. Bild auf, Bild ab: Reichweite der Achse.</translation>
     </message>
     <message>
         <source>no chatter</source>
@@ -8837,7 +10459,7 @@
     </message>
     <message>
         <source>rpm</source>
-        <translation>rpm</translation>
+        <translation>1/min</translation>
     </message>
     <message>
         <source>now</source>
@@ -8896,10 +10518,236 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::StateRows</name>
+    <message>
+        <source>STATES</source>
+        <translation>ZUSTÄNDE</translation>
+    </message>
+    <message>
+        <source>low: stable, half: onset, full: chatter, hatched: not judged; line: first indicator</source>
+        <translation>niedrig: stabil, halb: Beginn, voll: Rattern, schraffiert: nicht beurteilt; Linie: erste Kenngröße</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::StatusStrip</name>
     <message>
         <source>State of the chain</source>
         <translation>Zustand der Kette</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapLobePlot</name>
+    <message>
+        <source>Depth limits over speed</source>
+        <translation>Grenzen der Tiefe über der Drehzahl</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Rechnet</translation>
+    </message>
+    <message>
+        <source>Here the limits of the depth appear.</source>
+        <translation>Hier erscheinen die Grenzen der Tiefe.</translation>
+    </message>
+    <message>
+        <source>Speeds to try; their depth is not known</source>
+        <translation>Drehzahlen zum Versuchen; ihre Tiefe ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Depth limit, hatched its uncertainty, blue what is recommended</source>
+        <translation>Grenze der Tiefe, schraffiert ihre Unsicherheit, blau der Rat</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>1/min</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapMeasure</name>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Hammer</source>
+        <translation>Hammer</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>BEGIN</source>
+        <translation>BEGINNEN</translation>
+    </message>
+    <message>
+        <source>Begin the hits of this axis anew</source>
+        <translation>Die Schläge dieser Achse neu beginnen</translation>
+    </message>
+    <message>
+        <source>FILES</source>
+        <translation>DATEIEN</translation>
+    </message>
+    <message>
+        <source>Open files of a tap test</source>
+        <translation>Dateien eines Klopfversuchs öffnen</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>Schläge</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Files of a tap test</source>
+        <translation>Dateien eines Klopfversuchs</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapModes</name>
+    <message>
+        <source>Modes</source>
+        <translation>Moden</translation>
+    </message>
+    <message>
+        <source>Name of the file of modes</source>
+        <translation>Name der Datei der Moden</translation>
+    </message>
+    <message>
+        <source>KEEP</source>
+        <translation>BEHALTEN</translation>
+    </message>
+    <message>
+        <source>Keep the ticked modes of both axes in a file</source>
+        <translation>Die angehakten Moden beider Achsen in einer Datei behalten</translation>
+    </message>
+    <message>
+        <source>Keep as</source>
+        <translation>Behalten als</translation>
+    </message>
+    <message>
+        <source>Kept; a tool takes it as the file of its modes: %1</source>
+        <translation>Behalten; ein Werkzeug nimmt es als Datei seiner Moden: %1</translation>
+    </message>
+    <message>
+        <source>Not measured along %1</source>
+        <translation>Längs %1 nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Fitting the modes</source>
+        <translation>Moden werden angepasst</translation>
+    </message>
+    <message>
+        <source>A touch ticks a mode. Only ticked ones count.</source>
+        <translation>Ein Tipp hakt eine Mode an. Nur angehakte zählen.</translation>
+    </message>
+    <message>
+        <source>No force was measured: how stiff a mode is cannot be told.</source>
+        <translation>Keine Kraft gemessen: wie steif eine Mode ist, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>%1 Hz: %2</source>
+        <translation>%1 Hz: %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapPage</name>
+    <message>
+        <source>There is nothing to measure with here.</source>
+        <translation>Hier gibt es nichts zum Messen.</translation>
+    </message>
+    <message>
+        <source>1 HIT</source>
+        <translation>1 KLOPFEN</translation>
+    </message>
+    <message>
+        <source>2 MODES</source>
+        <translation>2 MODEN</translation>
+    </message>
+    <message>
+        <source>3 SPEED</source>
+        <translation>3 DREHZAHL</translation>
+    </message>
+    <message>
+        <source>Axis x, along the feed</source>
+        <translation>Achse x, in Vorschubrichtung</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>Achse y</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapSpeeds</name>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Climb or conventional</source>
+        <translation>Gleichlauf oder Gegenlauf</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Width of cut</source>
+        <translation>Eingriffsbreite</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>Vorschub je Zahn</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Kleinste Drehzahl</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Größte Drehzahl</translation>
+    </message>
+    <message>
+        <source>Deepest cut</source>
+        <translation>Größte Zustellung</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>KEEP</source>
+        <translation>BEHALTEN</translation>
+    </message>
+    <message>
+        <source>Keep modes and cut for this tool</source>
+        <translation>Moden und Schnitt für dieses Werkzeug behalten</translation>
+    </message>
+    <message>
+        <source>Keep for</source>
+        <translation>Behalten für</translation>
+    </message>
+    <message>
+        <source>Kept: %1</source>
+        <translation>Behalten: %1</translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation>Gleichlauf</translation>
+    </message>
+    <message>
+        <source>conventional</source>
+        <translation>Gegenlauf</translation>
+    </message>
+    <message>
+        <source>a file alone</source>
+        <translation>nur als Datei</translation>
     </message>
 </context>
 <context>
@@ -8947,7 +10795,7 @@
     </message>
     <message>
         <source>low: stable, half: onset, full: chatter; line: first indicator</source>
-        <translation>tief: ruhig, halb: Ansatz, voll: Rattern; Linie: erste Kenngröße</translation>
+        <translation>tief: stabil, halb: Beginn, voll: Rattern; Linie: erste Kenngröße</translation>
     </message>
 </context>
 <context>
@@ -9093,7 +10941,15 @@
     </message>
     <message>
         <source>REVERT</source>
-        <translation>ZURÜCK</translation>
+        <translation>VERWERFEN</translation>
+    </message>
+    <message>
+        <source>EXPERT</source>
+        <translation>EXPERTE</translation>
+    </message>
+    <message>
+        <source>Expert: every method and each of its parameters</source>
+        <translation>Experte: jedes Verfahren und jeder seiner Parameter</translation>
     </message>
 </context>
 <context>
@@ -9116,6 +10972,21 @@
     <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::WavePlot</name>
+    <message>
+        <source>SIGNAL</source>
+        <translation>SIGNAL</translation>
+    </message>
+    <message>
+        <source>Drag: move. Wheel: zoom. Ctrl and drag: zoom to a stretch. Double click: all. Click: cursor A, with Shift B.</source>
+        <translation>Ziehen: verschieben. Rad: zoomen. Strg und Ziehen: auf einen Abschnitt zoomen. Doppelklick: alles. Klick: Cursor A, mit Umschalt B.</translation>
+    </message>
+    <message>
+        <source>below: %1</source>
+        <translation>unten: %1</translation>
     </message>
 </context>
 </TS>

@@ -464,7 +464,7 @@
         <translation>最高倍率</translation>
     </message>
     <message>
-        <source>Speed and feed rise no further than this share of the programmed values</source>
+        <source>Speed and feed rise no further than this fraction of the programmed values</source>
         <translation>转速和进给最多升至编程值的此比例</translation>
     </message>
     <message>
@@ -520,7 +520,7 @@
         <translation>最低转速倍率</translation>
     </message>
     <message>
-        <source>Spindle speed is never driven below this share of the programmed speed</source>
+        <source>Spindle speed is never driven below this fraction of the programmed speed</source>
         <translation>转速不会低于编程转速的此比例</translation>
     </message>
     <message>
@@ -528,7 +528,7 @@
         <translation>最高转速倍率</translation>
     </message>
     <message>
-        <source>Spindle speed is never driven above this share of the programmed speed</source>
+        <source>Spindle speed is never driven above this fraction of the programmed speed</source>
         <translation>转速不会高于编程转速的此比例</translation>
     </message>
     <message>
@@ -536,7 +536,7 @@
         <translation>最低进给倍率</translation>
     </message>
     <message>
-        <source>Feed is never driven below this share of the programmed feed</source>
+        <source>Feed is never driven below this fraction of the programmed feed</source>
         <translation>进给不会低于编程进给的此比例</translation>
     </message>
     <message>
@@ -544,7 +544,7 @@
         <translation>最高进给倍率</translation>
     </message>
     <message>
-        <source>Feed is never driven above this share of the programmed feed</source>
+        <source>Feed is never driven above this fraction of the programmed feed</source>
         <translation>进给不会高于编程进给的此比例</translation>
     </message>
     <message>
@@ -608,7 +608,7 @@
         <translation>最低每齿进给</translation>
     </message>
     <message>
-        <source>Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub</source>
+        <source>Our overrides never lower the feed per tooth below this fraction of the programmed one: the edge would rub</source>
         <translation>倍率不会使每齿进给低于编程值的此比例：否则刃口会摩擦</translation>
     </message>
     <message>
@@ -616,7 +616,7 @@
         <translation>最高每齿进给</translation>
     </message>
     <message>
-        <source>Our overrides never raise the feed per tooth above this share of the programmed one</source>
+        <source>Our overrides never raise the feed per tooth above this fraction of the programmed one</source>
         <translation>倍率不会使每齿进给高于编程值的此比例</translation>
     </message>
     <message>
@@ -856,7 +856,7 @@
         <translation>步长</translation>
     </message>
     <message>
-        <source>Adaptation step mu; while &apos;normalised&apos; is on, as a share of the largest stable step</source>
+        <source>Adaptation step mu; while &apos;normalised&apos; is on, as a fraction of the largest stable step</source>
         <translation>自适应步长 mu；归一化开启时为最大稳定步长的比例</translation>
     </message>
     <message>
@@ -864,7 +864,7 @@
         <translation>归一化</translation>
     </message>
     <message>
-        <source>Take the step as a share of the bound that follows the power of the filtered reference</source>
+        <source>Take the step as a fraction of the bound that follows the power of the filtered reference</source>
         <translation>步长取为随滤波参考功率变化的界限的比例</translation>
     </message>
     <message>
@@ -1060,7 +1060,7 @@
         <translation>辨识电平</translation>
     </message>
     <message>
-        <source>Rms of the excitation, as a share of the stroke</source>
+        <source>Rms of the excitation, as a fraction of the stroke</source>
         <translation>激励的均方根值，占行程的比例</translation>
     </message>
     <message>
@@ -1084,7 +1084,7 @@
         <translation>辅助噪声</translation>
     </message>
     <message>
-        <source>Rms of the noise that identifies the path anew while it controls, as a share of the stroke; 0: off</source>
+        <source>Rms of the noise that identifies the path anew while it controls, as a fraction of the stroke; 0: off</source>
         <translation>控制过程中用于重新辨识通道的噪声均方根值，占行程的比例；0：关闭</translation>
     </message>
     <message>
@@ -1608,11 +1608,11 @@
         <translation>机床没有看门狗：若本程序中止，倍率将保持不变</translation>
     </message>
     <message>
-        <source>one knock along %1: &apos;%2&apos; heard most, %3 dB above the next</source>
+        <source>one knock along %1: &apos;%2&apos; measured most, %3 dB above the next</source>
         <translation>沿 %1 敲击一次：&apos;%2&apos; 最响，比其次高 %3 dB</translation>
     </message>
     <message>
-        <source>%4 knocks along %1: &apos;%2&apos; heard most, %3 dB above the next</source>
+        <source>%4 knocks along %1: &apos;%2&apos; measured most, %3 dB above the next</source>
         <translation>沿 %1 敲击 %4 次：&apos;%2&apos; 最响，比其次高 %3 dB</translation>
     </message>
     <message>
@@ -1708,7 +1708,7 @@
         <translation>设备</translation>
     </message>
     <message>
-        <source>%1 Hz cannot be heard at %2 samples a second</source>
+        <source>%1 Hz cannot be measured at %2 samples a second</source>
         <translation>采样率为每秒 %2 点时听不到 %1 Hz</translation>
     </message>
     <message>
@@ -1808,7 +1808,7 @@
         <translation>%1；之前的切削已停止</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; and &apos;%2&apos; heard it within %3 dB of each other</source>
+        <source>&apos;%1&apos; and &apos;%2&apos; measured it within %3 dB of each other</source>
         <translation>&apos;%1&apos; 与 &apos;%2&apos; 听到的相差不到 %3 dB</translation>
     </message>
     <message>
@@ -2076,7 +2076,7 @@
         <translation>工作台运动时不能采用路径</translation>
     </message>
     <message>
-        <source>a quarter of a turn must fit into 512 samples</source>
+        <source>a quarter of a revolution must fit into 512 samples</source>
         <translation>四分之一转必须在 512 个采样之内</translation>
     </message>
     <message>
@@ -2412,10 +2412,6 @@
         <translation>提前结束</translation>
     </message>
     <message>
-        <source>every channel has a time column of its own</source>
-        <translation>每个通道都有各自的时间列</translation>
-    </message>
-    <message>
         <source>every value must be above zero</source>
         <translation>每个值都必须大于零</translation>
     </message>
@@ -2426,10 +2422,6 @@
     <message>
         <source>exponent must lie in (0, 1]</source>
         <translation>指数必须在 (0, 1] 之内</translation>
-    </message>
-    <message>
-        <source>export with one X column</source>
-        <translation>请用单个 X 列导出</translation>
     </message>
     <message>
         <source>feed lag must lie between 0 and 10 s</source>
@@ -2888,8 +2880,8 @@
         <translation>仍在记录中</translation>
     </message>
     <message>
-        <source>is stillcut-hal loaded by the machine&apos;s HAL file?</source>
-        <translation>机床的 HAL 文件是否加载了 stillcut-hal？</translation>
+        <source>is stillcut-hal loaded by the machine&apos;s HAL file, and LinuxCNC started by this user?</source>
+        <translation>机床的 HAL 文件是否加载了 stillcut-hal，LinuxCNC 是否由当前用户启动？</translation>
     </message>
     <message>
         <source>is stillcut.hal wired as it came?</source>
@@ -2898,10 +2890,6 @@
     <message>
         <source>is stored in pieces of more than 64 MB</source>
         <translation>以超过 64 MB 的块存储</translation>
-    </message>
-    <message>
-        <source>is text in UTF-16</source>
-        <translation>是 UTF-16 文本</translation>
     </message>
     <message>
         <source>is the machine on, and the address right?</source>
@@ -3076,7 +3064,7 @@
         <translation>其纵坐标类型不是 2、4、5、6</translation>
     </message>
     <message>
-        <source>its phase is off by 90 degrees or more, or the sensor does not hear the actuator there</source>
+        <source>its phase is off by 90 degrees or more, or the sensor measures nothing of the actuator there</source>
         <translation>其相位偏差达 90 度或更多，或传感器在该处听不到执行器</translation>
     </message>
     <message>
@@ -3268,7 +3256,7 @@
         <translation>没有一个采样是数</translation>
     </message>
     <message>
-        <source>none was heard</source>
+        <source>none was measured</source>
         <translation>没有听到</translation>
     </message>
     <message>
@@ -3284,7 +3272,7 @@
         <translation>不是测量函数的通用文件</translation>
     </message>
     <message>
-        <source>nothing is heard</source>
+        <source>there is no signal</source>
         <translation>什么也听不到</translation>
     </message>
     <message>
@@ -3320,7 +3308,7 @@
         <translation>一行数字不成记录</translation>
     </message>
     <message>
-        <source>only %1 % of what is heard is a tone near %2 Hz</source>
+        <source>only %1 % of the signal is a tone near %2 Hz</source>
         <translation>听到的只有 %1 % 是 %2 Hz 附近的音</translation>
     </message>
     <message>
@@ -3442,10 +3430,6 @@
     <message>
         <source>save each segment as a file of its own</source>
         <translation>请将每段另存为单独文件</translation>
-    </message>
-    <message>
-        <source>save it as UTF-8</source>
-        <translation>请存为 UTF-8</translation>
     </message>
     <message>
         <source>say which one it should lie along</source>
@@ -3712,7 +3696,7 @@
         <translation>沿 %1 的模型已有 %2 分钟</translation>
     </message>
     <message>
-        <source>the model along %1 promises no stability on the lines to quieten, worst at %2 Hz</source>
+        <source>the model along %1 has no phase margin on the lines to quieten, worst at %2 Hz</source>
         <translation>沿 %1 的模型在需抑制的谱线上不保证稳定，最差在 %2 Hz</translation>
     </message>
     <message>
@@ -4740,10 +4724,6 @@
         <translation>内存不足</translation>
     </message>
     <message>
-        <source>only HDF5, MATLAB and NumPy files have places inside</source>
-        <translation>只有 HDF5、MATLAB 和 NumPy 文件有内部路径</translation>
-    </message>
-    <message>
         <source>open the .tdms file beside it</source>
         <translation>请打开旁边的 .tdms 文件</translation>
     </message>
@@ -4904,7 +4884,7 @@
         <translation>请写 s、ms、us 或 ns，或给出 --rate HZ</translation>
     </message>
     <message>
-        <source>%1 s of air</source>
+        <source>%1 s of air cutting</source>
         <translation>空切 %1 s</translation>
     </message>
     <message>
@@ -4936,7 +4916,7 @@
         <translation>%1 s 起出现颤振</translation>
     </message>
     <message>
-        <source>chatter is found up to %1 Hz</source>
+        <source>chatter can be detected up to %1 Hz</source>
         <translation>可检测最高 %1 Hz 的颤振</translation>
     </message>
     <message>
@@ -5000,7 +4980,7 @@
         <translation>未判定：%1</translation>
     </message>
     <message>
-        <source>not judged: no cut was heard</source>
+        <source>not judged: no cut was measured</source>
         <translation>未判定：没有听到切削</translation>
     </message>
     <message>
@@ -5034,6 +5014,629 @@
     <message>
         <source>try %1 rev/min (stable from %2 to %3 rev/min by the lobes), or %4</source>
         <translation>试用 %1 r/min（按叶瓣图在 %2 至 %3 r/min 稳定），或%4</translation>
+    </message>
+    <message>
+        <source>A simulated tap test: hammer and two accelerometers at the tip of a tool: axis, interval_s</source>
+        <translation>模拟敲击试验：力锤和刀尖两个加速度计：axis, interval_s</translation>
+    </message>
+    <message>
+        <source>the machine has no watchdog: a process of its own brings the overrides back if this program dies; they stay where both are killed at once, or the cable goes</source>
+        <translation>机床没有看门狗：本程序终止时由独立进程恢复倍率；若两者同时被终止或电缆断开，倍率保持不变</translation>
+    </message>
+    <message>
+        <source>as the run that holds the machine tells: nothing more was asked</source>
+        <translation>由占用机床的当前运行提供：未另行询问</translation>
+    </message>
+    <message>
+        <source>Aluminium, wrought</source>
+        <translation>变形铝合金</translation>
+    </message>
+    <message>
+        <source>Aluminium, cast</source>
+        <translation>铸铝</translation>
+    </message>
+    <message>
+        <source>Steel, unalloyed</source>
+        <translation>非合金钢</translation>
+    </message>
+    <message>
+        <source>Steel, alloyed, tempered</source>
+        <translation>调质合金钢</translation>
+    </message>
+    <message>
+        <source>Cast iron, grey</source>
+        <translation>灰铸铁</translation>
+    </message>
+    <message>
+        <source>Titanium alloy</source>
+        <translation>钛合金</translation>
+    </message>
+    <message>
+        <source>stillcut-status, beside any screen, for &apos;linuxcnc&apos;</source>
+        <translation>stillcut-status，可与任何界面并用，用于 &apos;linuxcnc&apos;</translation>
+    </message>
+    <message>
+        <source>Status port</source>
+        <translation>状态端口</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>间隔</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is raw, with a scale that is no straight line</source>
+        <translation>“%1”是原始值，其换算不是直线</translation>
+    </message>
+    <message>
+        <source>&apos;status_port&apos; needs &apos;hal_component_port&apos;</source>
+        <translation>&apos;status_port&apos; 需要 &apos;hal_component_port&apos;</translation>
+    </message>
+    <message>
+        <source>a header makes no sense</source>
+        <translation>文件头无意义</translation>
+    </message>
+    <message>
+        <source>a response along x or y is needed</source>
+        <translation>需要 x 或 y 方向的频响</translation>
+    </message>
+    <message>
+        <source>a response needs two lines or more, each with a frequency</source>
+        <translation>频响至少需要两条谱线，每条都有频率</translation>
+    </message>
+    <message>
+        <source>a sweep changes the speed by up to 20 % a second</source>
+        <translation>转速扫描每秒最多变化 20 %</translation>
+    </message>
+    <message>
+        <source>a sweep needs the speed where it ends</source>
+        <translation>转速扫描需要终止转速</translation>
+    </message>
+    <message>
+        <source>a tool with another or an uneven pitch</source>
+        <translation>换用不同齿距或不等齿距的刀具</translation>
+    </message>
+    <message>
+        <source>a tooth harmonic meets a resonance: take the speed off it</source>
+        <translation>刀齿谐波与共振重合：请避开该转速</translation>
+    </message>
+    <message>
+        <source>a tooth harmonic meets a resonance: take the speed off it, as %1 rev/min</source>
+        <translation>刀齿谐波与共振重合：请避开该转速，例如 %1 r/min</translation>
+    </message>
+    <message>
+        <source>an incline ends deeper than it begins</source>
+        <translation>斜切的终点必须比起点深</translation>
+    </message>
+    <message>
+        <source>another speed: %1 rev/min</source>
+        <translation>换一个转速：%1 r/min</translation>
+    </message>
+    <message>
+        <source>cannot be kept for the screen</source>
+        <translation>无法为屏幕保留</translation>
+    </message>
+    <message>
+        <source>cannot be read again</source>
+        <translation>无法再次读取</translation>
+    </message>
+    <message>
+        <source>chatter frequency must lie between 0 and 100 kHz</source>
+        <translation>颤振频率必须在 0 与 100 kHz 之间</translation>
+    </message>
+    <message>
+        <source>check runout and balance</source>
+        <translation>检查跳动和动平衡</translation>
+    </message>
+    <message>
+        <source>clearance must lie above 0 and up to 1000 mm</source>
+        <translation>安全距离必须大于 0 且不超过 1000 mm</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>切削</translation>
+    </message>
+    <message>
+        <source>depth must lie above 0 and up to 1000 mm</source>
+        <translation>切深必须大于 0 且不超过 1000 mm</translation>
+    </message>
+    <message>
+        <source>diameter must lie above 0 and up to 1000 mm</source>
+        <translation>直径必须大于 0 且不超过 1000 mm</translation>
+    </message>
+    <message>
+        <source>doubt must lie between 0 and 0.5</source>
+        <translation>存疑程度必须在 0 与 0.5 之间</translation>
+    </message>
+    <message>
+        <source>export it scaled, or as CSV</source>
+        <translation>请导出换算后的数据，或导出为 CSV</translation>
+    </message>
+    <message>
+        <source>feed per tooth must lie above 0 and up to 10 mm</source>
+        <translation>每齿进给必须大于 0 且不超过 10 mm</translation>
+    </message>
+    <message>
+        <source>field &apos;%1&apos; is missing or of the wrong kind</source>
+        <translation>字段 &apos;%1&apos; 缺失或类型不符</translation>
+    </message>
+    <message>
+        <source>gives no answer</source>
+        <translation>没有应答</translation>
+    </message>
+    <message>
+        <source>has a hammer or a frequency response</source>
+        <translation>含力锤或频响</translation>
+    </message>
+    <message>
+        <source>holds interleaved values that are no numbers</source>
+        <translation>包含交错存放的非数字值</translation>
+    </message>
+    <message>
+        <source>holds modes alone</source>
+        <translation>只含模态</translation>
+    </message>
+    <message>
+        <source>holds no channel of numbers</source>
+        <translation>不含数字通道</translation>
+    </message>
+    <message>
+        <source>holds no cut &apos;%1&apos;</source>
+        <translation>不含切削 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>holds no hit</source>
+        <translation>没有敲击</translation>
+    </message>
+    <message>
+        <source>holds no values</source>
+        <translation>不含数值</translation>
+    </message>
+    <message>
+        <source>holds unscaled values of a DAQmx device, which are not read</source>
+        <translation>包含 DAQmx 设备的未换算数值，无法读取</translation>
+    </message>
+    <message>
+        <source>is a damaged TDMS file</source>
+        <translation>是损坏的 TDMS 文件</translation>
+    </message>
+    <message>
+        <source>is a damaged spreadsheet</source>
+        <translation>是损坏的电子表格</translation>
+    </message>
+    <message>
+        <source>is a store of a newer version of Stillcut</source>
+        <translation>是更新版本 Stillcut 的记录库</translation>
+    </message>
+    <message>
+        <source>is no line of evidence</source>
+        <translation>不是切削记录行</translation>
+    </message>
+    <message>
+        <source>is no store of cuts</source>
+        <translation>不是切削记录库</translation>
+    </message>
+    <message>
+        <source>is the installation complete?</source>
+        <translation>安装是否完整？</translation>
+    </message>
+    <message>
+        <source>it belongs to another program</source>
+        <translation>它属于其他程序</translation>
+    </message>
+    <message>
+        <source>it was quiet at %1 rev/min</source>
+        <translation>在 %1 r/min 时平稳</translation>
+    </message>
+    <message>
+        <source>its decay fits nothing that was learned so far</source>
+        <translation>其衰减与目前所学不符</translation>
+    </message>
+    <message>
+        <source>its decay is too uncertain</source>
+        <translation>其衰减不够确定</translation>
+    </message>
+    <message>
+        <source>its schema is not %1</source>
+        <translation>其模式不是 %1</translation>
+    </message>
+    <message>
+        <source>its speed lies outside what is looked at</source>
+        <translation>其转速超出所考察的范围</translation>
+    </message>
+    <message>
+        <source>its values lie too scattered</source>
+        <translation>数值存放过于分散</translation>
+    </message>
+    <message>
+        <source>length must lie above 0 and up to 100 m</source>
+        <translation>长度必须大于 0 且不超过 100 m</translation>
+    </message>
+    <message>
+        <source>less depth: %1 mm</source>
+        <translation>减小切深：%1 mm</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>界限</translation>
+    </message>
+    <message>
+        <source>machine and tool must be named</source>
+        <translation>必须给出机床和刀具的名称</translation>
+    </message>
+    <message>
+        <source>modes</source>
+        <translation>模态</translation>
+    </message>
+    <message>
+        <source>no free vibration stands out of the noise</source>
+        <translation>没有自由振动高出噪声</translation>
+    </message>
+    <message>
+        <source>no recording is open</source>
+        <translation>没有打开的记录</translation>
+    </message>
+    <message>
+        <source>one JSON object a line</source>
+        <translation>每行一个 JSON 对象</translation>
+    </message>
+    <message>
+        <source>one tooth has no pitch to choose</source>
+        <translation>单齿没有齿距可选</translation>
+    </message>
+    <message>
+        <source>pitches are chosen for teeth of one helix</source>
+        <translation>只能为同一螺旋角的刀齿选择齿距</translation>
+    </message>
+    <message>
+        <source>say what the tool cuts: %1</source>
+        <translation>请填写所切材料：%1</translation>
+    </message>
+    <message>
+        <source>spectra</source>
+        <translation>频谱</translation>
+    </message>
+    <message>
+        <source>speed must lie above 0 and up to 1e6 rev/min</source>
+        <translation>转速必须大于 0 且不超过 1e6 r/min</translation>
+    </message>
+    <message>
+        <source>stick-out must lie between 0 and 2000 mm</source>
+        <translation>悬伸长度必须在 0 与 2000 mm 之间</translation>
+    </message>
+    <message>
+        <source>stillcut-cli materials lists them</source>
+        <translation>stillcut-cli materials 会列出它们</translation>
+    </message>
+    <message>
+        <source>stillcut-status only tells; the overrides go through stillcut-hal</source>
+        <translation>stillcut-status 只提供状态；倍率通过 stillcut-hal 调节</translation>
+    </message>
+    <message>
+        <source>take a shorter range of speeds, or less feed</source>
+        <translation>请缩小转速范围或减小进给</translation>
+    </message>
+    <message>
+        <source>teeth must be 1 to 200</source>
+        <translation>齿数必须为 1 到 200</translation>
+    </message>
+    <message>
+        <source>the file was not finished; what was written until then is read</source>
+        <translation>文件未写完；读取已写入的部分</translation>
+    </message>
+    <message>
+        <source>the free vibration is not the same throughout the cut</source>
+        <translation>自由振动在切削过程中不一致</translation>
+    </message>
+    <message>
+        <source>the frequencies of a response must rise from above 0</source>
+        <translation>频响的频率必须从大于 0 处递增</translation>
+    </message>
+    <message>
+        <source>the highest speed must lie above the lowest, both above 0</source>
+        <translation>最高转速必须高于最低转速，且均大于 0</translation>
+    </message>
+    <message>
+        <source>the largest depth must lie above 0</source>
+        <translation>最大切深必须大于 0</translation>
+    </message>
+    <message>
+        <source>the last %1 cuts do not fit the %2 before: another tool, holder or clamping? The lobes were started anew</source>
+        <translation>最近 %1 次切削与之前的 %2 次不符：换了刀具、刀柄或装夹吗？稳定性图已重新开始</translation>
+    </message>
+    <message>
+        <source>the recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>the responses have no frequencies in common</source>
+        <translation>各频响没有共同的频率</translation>
+    </message>
+    <message>
+        <source>the risk must lie between 0 and 1</source>
+        <translation>风险必须在 0 与 1 之间</translation>
+    </message>
+    <message>
+        <source>the sound output has failed: %1</source>
+        <translation>声音输出失败：%1</translation>
+    </message>
+    <message>
+        <source>the speed is not known or the sampling rate too low</source>
+        <translation>转速未知或采样率过低</translation>
+    </message>
+    <message>
+        <source>the steady cut is too short</source>
+        <translation>稳定切削时间过短</translation>
+    </message>
+    <message>
+        <source>the store of cuts cannot be opened</source>
+        <translation>切削记录库无法打开</translation>
+    </message>
+    <message>
+        <source>the store of cuts cannot be used</source>
+        <translation>切削记录库无法使用</translation>
+    </message>
+    <message>
+        <source>the sweep needs %1 mm of material</source>
+        <translation>转速扫描需要 %1 mm 的材料</translation>
+    </message>
+    <message>
+        <source>the table of materials has no &apos;%1&apos;</source>
+        <translation>材料表中没有“%1”</translation>
+    </message>
+    <message>
+        <source>there are none to keep</source>
+        <translation>没有可保留的</translation>
+    </message>
+    <message>
+        <source>there is no such channel</source>
+        <translation>没有这个通道</translation>
+    </message>
+    <message>
+        <source>there is no such channel in the file</source>
+        <translation>文件中没有该通道</translation>
+    </message>
+    <message>
+        <source>this Stillcut was built without sound output</source>
+        <translation>此 Stillcut 构建时未含声音输出</translation>
+    </message>
+    <message>
+        <source>this computer has no sound output: %1</source>
+        <translation>本机没有声音输出：%1</translation>
+    </message>
+    <message>
+        <source>this cut was quiet before: is the tool worn, or loose?</source>
+        <translation>此切削以前是平稳的：刀具磨损或松动了吗？</translation>
+    </message>
+    <message>
+        <source>this tool chattered at %1 rev/min</source>
+        <translation>此刀具在 %1 r/min 时颤振</translation>
+    </message>
+    <message>
+        <source>too little is known of this tool</source>
+        <translation>对此刀具了解太少</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>试切</translation>
+    </message>
+    <message>
+        <source>update this program</source>
+        <translation>请更新本程序</translation>
+    </message>
+    <message>
+        <source>vary the spindle speed by %1 % with a period of %2 s: in simulation this quiets it</source>
+        <translation>以 %2 s 的周期将主轴转速变动 %1 %：仿真中可消除颤振</translation>
+    </message>
+    <message>
+        <source>cannot be run again</source>
+        <translation>无法再次运行</translation>
+    </message>
+    <message>
+        <source>cut.model is the file with modes and material</source>
+        <translation>cut.model 是含有模态和材料的文件</translation>
+    </message>
+    <message>
+        <source>depth of cut</source>
+        <translation>切深</translation>
+    </message>
+    <message>
+        <source>names no model of its cut</source>
+        <translation>没有指明其切削的模型</translation>
+    </message>
+    <message>
+        <source>none is entered</source>
+        <translation>没有输入</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>the force is not proportional to the chip: taken as it is at a chip of %1 um</source>
+        <translation>切削力与切屑厚度不成正比：按切屑厚度 %1 um 处取值</translation>
+    </message>
+    <message>
+        <source>type frequency, damping and stiffness, or open a file with modes</source>
+        <translation>请输入频率、阻尼和刚度，或打开含有模态的文件</translation>
+    </message>
+    <message>
+        <source>%1 samples a second are more than can be judged</source>
+        <translation>每秒 %1 个样本，超过可判断的上限</translation>
+    </message>
+    <message>
+        <source>a pipe is read as the standard input: - &lt; FILE</source>
+        <translation>管道请作为标准输入读取：- &lt; FILE</translation>
+    </message>
+    <message>
+        <source>a row is a time in s and a speed in rev/min</source>
+        <translation>每行为时间（s）和转速（r/min）</translation>
+    </message>
+    <message>
+        <source>at most 1000000; is its time not in seconds? --rate HZ gives another rate</source>
+        <translation>最多 1000000；时间是否不以秒为单位？可用 --rate HZ 指定采样率</translation>
+    </message>
+    <message>
+        <source>choose at most 32 with --channel N[,N]</source>
+        <translation>用 --channel N[,N] 选择最多 32 个</translation>
+    </message>
+    <message>
+        <source>damaged, or cut off: what records into it writes its index when it ends</source>
+        <translation>损坏或被截断：其索引在录制结束时才写入</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 s: what is there is read</source>
+        <translation>在 %2 s 中的 %1 s 处结束：已有部分照常读取</translation>
+    </message>
+    <message>
+        <source>export each with its channels as a file of its own, or give --rate HZ</source>
+        <translation>请将每个时间列及其通道分别导出为单独文件，或给出 --rate HZ</translation>
+    </message>
+    <message>
+        <source>export those of each rate as a file of their own</source>
+        <translation>请将每种采样率的通道分别导出为单独文件</translation>
+    </message>
+    <message>
+        <source>format it as a time of day and export again, or give --rate HZ</source>
+        <translation>请将其设为时刻格式后重新导出，或给出 --rate HZ</translation>
+    </message>
+    <message>
+        <source>has %1 channels, more than are judged at once</source>
+        <translation>有 %1 个通道，超过一次可判断的数量</translation>
+    </message>
+    <message>
+        <source>has no sheet &apos;%1&apos;</source>
+        <translation>没有工作表 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is not clear whether &apos;%1&apos; has a decimal point or thousands set apart</source>
+        <translation>无法判断 &apos;%1&apos; 中是小数点还是千位分隔符</translation>
+    </message>
+    <message>
+        <source>its channels have several rates</source>
+        <translation>其通道有多种采样率</translation>
+    </message>
+    <message>
+        <source>its coding is not known; convert it to WAV: ffmpeg -i FILE cut.wav</source>
+        <translation>其编码未知；请转换为 WAV：ffmpeg -i FILE cut.wav</translation>
+    </message>
+    <message>
+        <source>its columns have times of their own: &apos;%1&apos; goes in other steps</source>
+        <translation>各列有各自的时间：&apos;%1&apos; 的步长不同</translation>
+    </message>
+    <message>
+        <source>its header is damaged, or its coding is not known</source>
+        <translation>文件头损坏，或编码未知</translation>
+    </message>
+    <message>
+        <source>its time seems to be in days, as spreadsheets count them</source>
+        <translation>其时间似乎以天为单位，如电子表格的计法</translation>
+    </message>
+    <message>
+        <source>no sample of it can be decoded</source>
+        <translation>没有任何样本可以解码</translation>
+    </message>
+    <message>
+        <source>none of its sheets holds rows of numbers: %1</source>
+        <translation>各工作表均不含数字行：%1</translation>
+    </message>
+    <message>
+        <source>nothing in it is known as sound</source>
+        <translation>其中没有可识别的声音</translation>
+    </message>
+    <message>
+        <source>of its %1 sheets &apos;%2&apos; is read; FILE:/NAME reads another</source>
+        <translation>共 %1 个工作表，读取的是 &apos;%2&apos;；用 FILE:/NAME 读取其他表</translation>
+    </message>
+    <message>
+        <source>only HDF5, MATLAB, NumPy, TDMS and Excel files have places inside</source>
+        <translation>只有 HDF5、MATLAB、NumPy、TDMS 和 Excel 文件内部有位置</translation>
+    </message>
+    <message>
+        <source>the header promises %1 bytes, the file holds %2, which are read: its recorder did not end it</source>
+        <translation>文件头声明有 %1 字节，文件实际含 %2 字节，已读取：录制程序没有正常结束该文件</translation>
+    </message>
+    <message>
+        <source>write 0 in its place, or read the other channels with --channel N</source>
+        <translation>在该处写入 0，或用 --channel N 读取其他通道</translation>
+    </message>
+    <message>
+        <source>write NaN on every channel where samples are missing, or leave this one out</source>
+        <translation>缺失样本处请在所有通道写 NaN，或略去该通道</translation>
+    </message>
+</context>
+<context>
+    <name>Learned</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Next most useful cut: %1, because it tells most (stable with %2).</source>
+        <translation>下一刀最有用：%1，因为信息最多（稳定概率 %2）。</translation>
+    </message>
+    <message>
+        <source>Next most useful cut: %1, because its outcome (stable with %2) may raise the removal rate most: %3 expected.</source>
+        <translation>下一刀最有用：%1，其结果（稳定概率 %2）最可能提高去除率：预期 %3。</translation>
+    </message>
+    <message>
+        <source>Nothing is learned from these cuts: say machine, tool, teeth, depth and modes under Set up.</source>
+        <translation>无法从这些切削中学习：请在“设置”中填写机床、刀具、齿数、切深和模态。</translation>
+    </message>
+    <message>
+        <source>Learned from cuts: nothing yet. Cut with this tool: every judged cut is kept and counts here.</source>
+        <translation>从切削中学到：暂无。用这把刀切削：每次判定过的切削都会保存并计入。</translation>
+    </message>
+    <message>
+        <source>Learned from cuts: %1</source>
+        <translation>从切削中学到：%1</translation>
+    </message>
+    <message>
+        <source>Learned from %1 judged cuts (%2 with chatter) and the tool&apos;s modes.</source>
+        <translation>由 %1 次判定过的切削（%2 次颤振）和刀具模态学得。</translation>
+    </message>
+    <message>
+        <source>%1 older ones are set aside: the newest indicate another tool.</source>
+        <translation>%1 次较早的不再计入：最新的表明是另一把刀。</translation>
+    </message>
+    <message>
+        <source>Recommended at a risk of %1: %2.</source>
+        <translation>在 %1 的风险下推荐：%2。</translation>
+    </message>
+    <message>
+        <source>Learned from cuts: stable here with %1</source>
+        <translation>从切削中学到：此处稳定概率 %1</translation>
+    </message>
+    <message>
+        <source>Judged cut: stable</source>
+        <translation>判定过的切削：稳定</translation>
+    </message>
+    <message>
+        <source>Judged cut: chatter, %1</source>
+        <translation>判定过的切削：颤振，%1</translation>
+    </message>
+    <message>
+        <source>Judged cut: chatter</source>
+        <translation>判定过的切削：颤振</translation>
     </message>
 </context>
 <context>
@@ -5088,6 +5691,14 @@
     <message>
         <source>Set up</source>
         <translation>设置</translation>
+    </message>
+    <message>
+        <source>Tap test</source>
+        <translation>敲击</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
     </message>
 </context>
 <context>
@@ -5155,8 +5766,8 @@
         <translation>主轴正在加速，{0.0} rpm</translation>
     </message>
     <message>
-        <source>the tool is entering or leaving, {0.2} s</source>
-        <translation>刀具正在切入或切出，{0.2} s</translation>
+        <source>the tool is entering or leaving</source>
+        <translation>刀具正在切入或切出</translation>
     </message>
     <message>
         <source>energy ratio {0.2} is over {1.2}</source>
@@ -5383,7 +5994,7 @@
         <translation>权限由 {0.0} 变为 {1.0}</translation>
     </message>
     <message>
-        <source>back to 100 % at the operator&apos;s wish</source>
+        <source>back to 100 % at the operator&apos;s request</source>
         <translation>应操作者要求恢复 100 %</translation>
     </message>
     <message>
@@ -5443,7 +6054,7 @@
         <translation>通道 {0.0} 的信号大部分是 {1.0} Hz 工频干扰，请检查其屏蔽和接地</translation>
     </message>
     <message>
-        <source>channel {0.0} delivers loud noise and nothing of a cut</source>
+        <source>channel {0.0} delivers strong noise and no cut</source>
         <translation>通道 {0.0} 只有强噪声，没有切削信号</translation>
     </message>
     <message>
@@ -5463,7 +6074,7 @@
         <translation>仍在学习，还需 {0.1} 秒</translation>
     </message>
     <message>
-        <source>channel {0.0} repeats its values, or comes at another rate than told</source>
+        <source>channel {0.0} repeats its values, or comes at another rate than set</source>
         <translation>通道 {0.0} 重复数值，或采样率与所给的不同</translation>
     </message>
     <message>
@@ -5538,6 +6149,10 @@
         <source>nothing was read from a machine yet</source>
         <translation>尚未从机床读到任何数据</translation>
     </message>
+    <message>
+        <source>the tone of an axis drive glides, now at {0.0} Hz</source>
+        <translation>轴驱动的音调正在滑动，现为 {0.0} Hz</translation>
+    </message>
 </context>
 <context>
     <name>ReportPages</name>
@@ -5603,6 +6218,21 @@
     <message>
         <source>The run of %1 did not end in order; it is recorded in %2</source>
         <translation>%1 的运行未正常结束；记录在 %2</translation>
+    </message>
+</context>
+<context>
+    <name>Tap</name>
+    <message>
+        <source>tap test: %1 modes</source>
+        <translation>敲击试验：%1 个模态</translation>
+    </message>
+    <message>
+        <source>Simulated hammer and tool</source>
+        <translation>模拟力锤和刀具</translation>
+    </message>
+    <message>
+        <source>As chosen under Set up</source>
+        <translation>如“设置”中所选</translation>
     </message>
 </context>
 <context>
@@ -5921,6 +6551,14 @@
     <message>
         <source>In chatter so far: %1, %2</source>
         <translation>累计颤振：%1，%2</translation>
+    </message>
+    <message>
+        <source>ENTRY</source>
+        <translation>切入</translation>
+    </message>
+    <message>
+        <source>EXIT</source>
+        <translation>切出</translation>
     </message>
     <message>
         <source>NO VERDICT</source>
@@ -7018,6 +7656,334 @@
         <source>Stable after</source>
         <translation>稳定用时</translation>
     </message>
+    <message>
+        <source>Choose a device</source>
+        <translation>选择设备</translation>
+    </message>
+    <message>
+        <source>Or open files of a tap test, or drop them here.</source>
+        <translation>或打开敲击试验文件，或拖到此处。</translation>
+    </message>
+    <message>
+        <source>Opening the device</source>
+        <translation>正在打开设备</translation>
+    </message>
+    <message>
+        <source>No samples</source>
+        <translation>没有采样</translation>
+    </message>
+    <message>
+        <source>No sensor</source>
+        <translation>没有传感器</translation>
+    </message>
+    <message>
+        <source>None of its channels feels the tool.</source>
+        <translation>没有通道能测到刀具。</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Without a hammer: frequencies, damping and speeds to try; no stiffness, no depth.</source>
+        <translation>无力锤：仅频率、阻尼和可试转速；无刚度、无切深。</translation>
+    </message>
+    <message>
+        <source>Press BEGIN, then hit the tip five times.</source>
+        <translation>按“开始”，然后敲击刀尖五次。</translation>
+    </message>
+    <message>
+        <source>Refused: %1.</source>
+        <translation>已拒绝：%1。</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>好</translation>
+    </message>
+    <message>
+        <source>double hit</source>
+        <translation>双击</translation>
+    </message>
+    <message>
+        <source>overload of the hammer</source>
+        <translation>力锤过载</translation>
+    </message>
+    <message>
+        <source>overload of the sensor</source>
+        <translation>传感器过载</translation>
+    </message>
+    <message>
+        <source>too weak</source>
+        <translation>太弱</translation>
+    </message>
+    <message>
+        <source>it still rang</source>
+        <translation>仍在振动</translation>
+    </message>
+    <message>
+        <source>samples were lost</source>
+        <translation>采样丢失</translation>
+    </message>
+    <message>
+        <source>differs from the others</source>
+        <translation>与其他不一致</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>正在读取</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>From files</source>
+        <translation>来自文件</translation>
+    </message>
+    <message>
+        <source>%1 of %2 good hits along %3</source>
+        <translation>沿 %3 好的敲击 %1 / %2</translation>
+    </message>
+    <message>
+        <source>Be quiet</source>
+        <translation>请保持安静</translation>
+    </message>
+    <message>
+        <source>The noise is being measured.</source>
+        <translation>正在测量噪声。</translation>
+    </message>
+    <message>
+        <source>HIT NOW</source>
+        <translation>现在敲击</translation>
+    </message>
+    <message>
+        <source>Listening</source>
+        <translation>正在聆听</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>It still rings. %1</source>
+        <translation>仍在振动。%1</translation>
+    </message>
+    <message>
+        <source>Done along %1</source>
+        <translation>%1 方向完成</translation>
+    </message>
+    <message>
+        <source>Turn hammer and sensor and measure y, or go on to MODES.</source>
+        <translation>转动力锤和传感器测量 y，或继续到“模态”。</translation>
+    </message>
+    <message>
+        <source>Go on to MODES.</source>
+        <translation>继续到“模态”。</translation>
+    </message>
+    <message>
+        <source>Hit</source>
+        <translation>敲击</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>响应</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Judged</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>A touch takes it, or leaves it out</source>
+        <translation>触按以采用或去除</translation>
+    </message>
+    <message>
+        <source>Damping, %</source>
+        <translation>阻尼，%</translation>
+    </message>
+    <message>
+        <source>Soft, %</source>
+        <translation>柔度，%</translation>
+    </message>
+    <message>
+        <source>No modes yet</source>
+        <translation>尚无模态</translation>
+    </message>
+    <message>
+        <source>Measure first, or tick a mode under MODES.</source>
+        <translation>请先测量，或在“模态”中勾选。</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>正在计算</translation>
+    </message>
+    <message>
+        <source>Cannot be computed</source>
+        <translation>无法计算</translation>
+    </message>
+    <message>
+        <source>Try %1 rpm</source>
+        <translation>试用 %1 rpm</translation>
+    </message>
+    <message>
+        <source>Speeds to try: %1. At these the tool swings whole times between two teeth. How deep cannot be told: that takes the force of a hammer.</source>
+        <translation>可试转速：%1。此时刀具在两齿之间振动整数次。无法得知切深：需要力锤的力。</translation>
+    </message>
+    <message>
+        <source>Removes %1. At any speed only %2 deep.</source>
+        <translation>去除率 %1。任意转速下仅 %2。</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s length ends it, not chatter.</source>
+        <translation>受刀具长度限制，而非颤振。</translation>
+    </message>
+    <message>
+        <source>Nine times in ten the true limit lies deeper; a tenth is taken off besides.</source>
+        <translation>十次中有九次真实极限更深；另减去十分之一。</translation>
+    </message>
+    <message>
+        <source>%1 teeth</source>
+        <translation>%1 齿</translation>
+    </message>
+    <message>
+        <source>rev/min</source>
+        <translation>r/min</translation>
+    </message>
+    <message>
+        <source>Judged again: %1</source>
+        <translation>重新判断：%1</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>原记录</translation>
+    </message>
+    <message>
+        <source>The simulated cut is over</source>
+        <translation>模拟切削已结束</translation>
+    </message>
+    <message>
+        <source>AGAIN runs it once more. Your own machine: the page Set up</source>
+        <translation>“再来一次”重新运行。您自己的机床：设置页</translation>
+    </message>
+    <message>
+        <source>Stillcut moves the speed %1</source>
+        <translation>Stillcut 调整转速 %1</translation>
+    </message>
+    <message>
+        <source>Stillcut moves the feed %1</source>
+        <translation>Stillcut 调整进给 %1</translation>
+    </message>
+    <message>
+        <source>Stillcut lets go: back to the operator&apos;s overrides</source>
+        <translation>Stillcut 放开：恢复操作者的倍率</translation>
+    </message>
+    <message>
+        <source>The operator moves the speed override %1</source>
+        <translation>操作者调整转速倍率 %1</translation>
+    </message>
+    <message>
+        <source>The operator moves the feed override %1</source>
+        <translation>操作者调整进给倍率 %1</translation>
+    </message>
+    <message>
+        <source>The program asks for another speed: %1</source>
+        <translation>程序要求另一转速：%1</translation>
+    </message>
+    <message>
+        <source>Somebody has set %1</source>
+        <translation>有人设置了 %1</translation>
+    </message>
+    <message>
+        <source>the teeth shake least at %1, %2</source>
+        <translation>刀齿激振最小处：%1，%2</translation>
+    </message>
+    <message>
+        <source>without Stillcut %1</source>
+        <translation>不用 Stillcut：%1</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>手动设定</translation>
+    </message>
+    <message>
+        <source>As delivered</source>
+        <translation>出厂设定</translation>
+    </message>
+    <message>
+        <source>One step more sensitive</source>
+        <translation>灵敏一级</translation>
+    </message>
+    <message>
+        <source>One step less sensitive</source>
+        <translation>迟钝一级</translation>
+    </message>
+    <message>
+        <source>%1 steps more sensitive</source>
+        <translation>灵敏 %1 级</translation>
+    </message>
+    <message>
+        <source>%1 steps less sensitive</source>
+        <translation>迟钝 %1 级</translation>
+    </message>
+    <message>
+        <source>Looking at your last recordings</source>
+        <translation>正在查看最近的录制</translation>
+    </message>
+    <message>
+        <source>There are no recordings yet to try it on</source>
+        <translation>还没有可用来试验的录制</translation>
+    </message>
+    <message>
+        <source>In your last recording it would have alarmed %1 times, %2 of them marked false</source>
+        <translation>在最近一次录制中会报警 %1 次，其中 %2 次被标为误报</translation>
+    </message>
+    <message>
+        <source>In your last %1 recordings it would have alarmed %2 times, %3 of them marked false</source>
+        <translation>在最近 %1 次录制中会报警 %2 次，其中 %3 次被标为误报</translation>
+    </message>
+    <message>
+        <source>; as they were recorded %1 times, %2 of them marked false</source>
+        <translation>；按录制时的设定为 %1 次，其中 %2 次被标为误报</translation>
+    </message>
+    <message>
+        <source>; looking at more</source>
+        <translation>；正在查看更多</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>It does not run again: %1. AGAIN tries once more</source>
+        <translation>无法再次运行：%1。“再来一次”可再试</translation>
+    </message>
+    <message>
+        <source>recordings: %1, %2</source>
+        <translation>录制：%1，%2</translation>
+    </message>
+    <message>
+        <source>alarms: %1</source>
+        <translation>报警：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2 an hour, %3 long</source>
+        <translation>%1，每小时 %2，共 %3</translation>
+    </message>
+    <message>
+        <source>As the run ended</source>
+        <translation>运行结束时的数值</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>已结束</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -7084,6 +8050,10 @@
         <source>What to do</source>
         <translation>操作建议</translation>
     </message>
+    <message>
+        <source>AGAIN</source>
+        <translation>再来一次</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AnalyseTools</name>
@@ -7118,6 +8088,14 @@
     <message>
         <source>Channel of spectrogram, spectrum and signal</source>
         <translation>频谱图、频谱与信号的通道</translation>
+    </message>
+    <message>
+        <source>FILE</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>EVENTS</source>
+        <translation>事件</translation>
     </message>
 </context>
 <context>
@@ -7209,12 +8187,143 @@
         <source>%1, now %2</source>
         <translation>%1，现为 %2</translation>
     </message>
+    <message>
+        <source>cable out or keeper dead: they stay</source>
+        <translation>电缆断开或守护进程终止：倍率保留</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ComponentListModel</name>
     <message>
         <source>%1, %2</source>
         <translation>%1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::CutForm</name>
+    <message>
+        <source>OPEN FILE</source>
+        <translation>打开文件</translation>
+    </message>
+    <message>
+        <source>Take a cut, a scenario, a profile or modes from a file</source>
+        <translation>从文件取得切削、场景、配置或模态</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Cutting force, along</source>
+        <translation>切向切削力</translation>
+    </message>
+    <message>
+        <source>Cutting force, across</source>
+        <translation>径向切削力</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>齿数</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>Helix angle</source>
+        <translation>螺旋角</translation>
+    </message>
+    <message>
+        <source>Width of cut</source>
+        <translation>切削宽度</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>每齿进给</translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation>切深</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>最低转速</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>最高转速</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>未给出</translation>
+    </message>
+    <message>
+        <source>ADD MODE</source>
+        <translation>添加模态</translation>
+    </message>
+    <message>
+        <source>Add a row for a mode</source>
+        <translation>为模态添加一行</translation>
+    </message>
+    <message>
+        <source>REMOVE MODE</source>
+        <translation>删除模态</translation>
+    </message>
+    <message>
+        <source>Remove the chosen mode</source>
+        <translation>删除所选模态</translation>
+    </message>
+    <message>
+        <source>SHOW LOBES</source>
+        <translation>显示叶瓣图</translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation>顺铣</translation>
+    </message>
+    <message>
+        <source>conventional</source>
+        <translation>逆铣</translation>
+    </message>
+    <message>
+        <source>Modes of tool and holder at the tip</source>
+        <translation>刀尖处刀具和刀柄的模态</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>frequency, Hz</source>
+        <translation>频率，Hz</translation>
+    </message>
+    <message>
+        <source>damping, %</source>
+        <translation>阻尼，%</translation>
+    </message>
+    <message>
+        <source>stiffness, N/µm</source>
+        <translation>刚度，N/µm</translation>
+    </message>
+    <message>
+        <source>by its forces</source>
+        <translation>按切削力</translation>
+    </message>
+    <message>
+        <source>Your own cut: type it, or open a file</source>
+        <translation>您自己的切削：输入，或打开文件</translation>
+    </message>
+    <message>
+        <source>A cut, a scenario, a profile or modes</source>
+        <translation>切削、场景、配置或模态</translation>
+    </message>
+    <message>
+        <source>Milling direction</source>
+        <translation>铣削方向</translation>
+    </message>
+    <message>
+        <source>Deepest cut</source>
+        <translation>最大切深</translation>
     </message>
 </context>
 <context>
@@ -7242,6 +8351,296 @@
     <message>
         <source>INCH</source>
         <translation>英制</translation>
+    </message>
+    <message>
+        <source>HELP</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>The manual of this page</source>
+        <translation>本页的手册</translation>
+    </message>
+    <message>
+        <source>TEXT</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>LARGE TEXT</source>
+        <translation>大号文字</translation>
+    </message>
+    <message>
+        <source>LARGEST TEXT</source>
+        <translation>特大文字</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::EventPanel</name>
+    <message>
+        <source>What happened at 13:58, or a word</source>
+        <translation>13:58 发生了什么，或一个词</translation>
+    </message>
+    <message>
+        <source>Search the events by time of day or by a word</source>
+        <translation>按时刻或词语搜索事件</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>发生了什么</translation>
+    </message>
+    <message>
+        <source>Nothing has happened yet</source>
+        <translation>尚无事件</translation>
+    </message>
+    <message>
+        <source>Nothing like that</source>
+        <translation>没有这样的事件</translation>
+    </message>
+    <message>
+        <source>Nothing at %1. The nearest is chosen</source>
+        <translation>%1 没有事件。已选中最近的一个</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FileAnswerPanel</name>
+    <message>
+        <source>Teeth</source>
+        <translation>齿数</translation>
+    </message>
+    <message>
+        <source>Speed, rev/min</source>
+        <translation>转速，r/min</translation>
+    </message>
+    <message>
+        <source>OPEN A RECORDING</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>Choose a recording to look at</source>
+        <translation>选择要查看的记录</translation>
+    </message>
+    <message>
+        <source>Your recording</source>
+        <translation>您的记录</translation>
+    </message>
+    <message>
+        <source>Reading, %1</source>
+        <translation>正在读取，%1</translation>
+    </message>
+    <message>
+        <source>Chatter or not, the reason, and the speed that helps. Drop a file on this window, or open one: sound of a phone, a table, a logger&apos;s file, a session.</source>
+        <translation>是否颤振、原因，以及有用的转速。把文件拖到窗口上，或打开一个：手机录音、表格、记录仪文件、运行记录。</translation>
+    </message>
+    <message>
+        <source>Cannot be judged</source>
+        <translation>无法判断</translation>
+    </message>
+    <message>
+        <source>Cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>Judging, %1</source>
+        <translation>正在判断，%1</translation>
+    </message>
+    <message>
+        <source>In the signal: %1 rev/min</source>
+        <translation>信号中：%1 r/min</translation>
+    </message>
+    <message>
+        <source>In the signal: %1 rev/min, or %2</source>
+        <translation>信号中：%1 r/min，或 %2</translation>
+    </message>
+    <message>
+        <source>Teeth by the signal: %1</source>
+        <translation>按信号的齿数：%1</translation>
+    </message>
+    <message>
+        <source>Teeth by the signal: %1, or %2</source>
+        <translation>按信号的齿数：%1，或 %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FilePage</name>
+    <message>
+        <source>No recording can be opened here.</source>
+        <translation>这里不能打开记录。</translation>
+    </message>
+    <message>
+        <source>LISTEN</source>
+        <translation>收听</translation>
+    </message>
+    <message>
+        <source>Play the sound of the stretch on show</source>
+        <translation>播放所示部分的声音</translation>
+    </message>
+    <message>
+        <source>OVERLAY</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>Lay a second recording beside this one</source>
+        <translation>并列第二段记录</translation>
+    </message>
+    <message>
+        <source>PICTURE</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>Write a picture of this page beside the recording</source>
+        <translation>把本页的图片写到记录旁边</translation>
+    </message>
+    <message>
+        <source>REPORT</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Write a report of this recording beside it</source>
+        <translation>把这段记录的报告写到它旁边</translation>
+    </message>
+    <message>
+        <source>The report is being made</source>
+        <translation>正在生成报告</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>Open a recording beside it</source>
+        <translation>打开并列的记录</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 无法写入</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FileSpectrum</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>频谱</translation>
+    </message>
+    <message>
+        <source>Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom. Double click: all.</source>
+        <translation>单击：谐波光标。H：放到最强谱线。拖动：移动。滚轮：缩放。双击：全部。</translation>
+    </message>
+    <message>
+        <source>, order %1</source>
+        <translation>，阶次 %1</translation>
+    </message>
+    <message>
+        <source>, beside %1</source>
+        <translation>，并列 %1</translation>
+    </message>
+    <message>
+        <source>SPECTRUM AT A, %1</source>
+        <translation>A 处频谱，%1</translation>
+    </message>
+    <message>
+        <source>SPECTRUM, MEAN</source>
+        <translation>频谱，平均</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>阶次</translation>
+    </message>
+    <message>
+        <source>chatter %1</source>
+        <translation>颤振 %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FileTools</name>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Samples of one spectrum</source>
+        <translation>每个频谱的采样数</translation>
+    </message>
+    <message>
+        <source>Window of the spectra</source>
+        <translation>频谱的窗函数</translation>
+    </message>
+    <message>
+        <source>Hann</source>
+        <translation>汉宁</translation>
+    </message>
+    <message>
+        <source>Flat top</source>
+        <translation>平顶</translation>
+    </message>
+    <message>
+        <source>Rectangular</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Overlap of the spectra</source>
+        <translation>频谱的重叠</translation>
+    </message>
+    <message>
+        <source>LOG</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis of frequency</source>
+        <translation>对数频率轴</translation>
+    </message>
+    <message>
+        <source>ORDERS</source>
+        <translation>阶次</translation>
+    </message>
+    <message>
+        <source>Frequencies as orders of the spindle</source>
+        <translation>频率用主轴阶次表示</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::FrfPlot</name>
+    <message>
+        <source>Frequency response at the tip</source>
+        <translation>刀尖频响</translation>
+    </message>
+    <message>
+        <source>Coherence; below the mark it says little</source>
+        <translation>相干；低于标线则意义不大</translation>
+    </message>
+    <message>
+        <source>One hit only: not known</source>
+        <translation>仅一次敲击：未知</translation>
+    </message>
+    <message>
+        <source>No hammer: not known</source>
+        <translation>无力锤：未知</translation>
+    </message>
+    <message>
+        <source>Here the response of the tool appears with the first good hit.</source>
+        <translation>第一次好的敲击后，此处显示刀具的响应。</translation>
+    </message>
+    <message>
+        <source>Real part; dashed: the modes</source>
+        <translation>实部；虚线：模态</translation>
+    </message>
+    <message>
+        <source>Imaginary part</source>
+        <translation>虚部</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>幅值</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>相位</translation>
     </message>
 </context>
 <context>
@@ -7276,6 +8675,17 @@
     <message>
         <source>order</source>
         <translation>阶次</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::IndicatorStrip</name>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1，限值 %2</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>极限 %1</translation>
     </message>
 </context>
 <context>
@@ -7390,10 +8800,6 @@
         <translation>取消</translation>
     </message>
     <message>
-        <source>Computing; the diagram before stays until it is done</source>
-        <translation>计算中；完成前保留之前的图</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>已取消</translation>
     </message>
@@ -7436,6 +8842,69 @@
     <message>
         <source>Stable speeds at this depth</source>
         <translation>此切深下的稳定转速</translation>
+    </message>
+    <message>
+        <source>THE CUT THAT RUNS</source>
+        <translation>当前切削</translation>
+    </message>
+    <message>
+        <source>Lobes of the cut that runs or is replayed</source>
+        <translation>正在运行或回放的切削的叶瓣图</translation>
+    </message>
+    <message>
+        <source>YOUR OWN CUT</source>
+        <translation>自定义切削</translation>
+    </message>
+    <message>
+        <source>Enter a cut, or open a file with one</source>
+        <translation>输入一个切削，或打开含有切削的文件</translation>
+    </message>
+    <message>
+        <source>Enter tool, modes, material and engagement, or open a file: no machine and no run is needed.</source>
+        <translation>输入刀具、模态、材料和啮合，或打开文件：无需机床，也无需运行。</translation>
+    </message>
+    <message>
+        <source>Or touch YOUR OWN CUT and enter them here.</source>
+        <translation>或者点“自定义切削”，在此输入。</translation>
+    </message>
+    <message>
+        <source>BACK TO THE LOBES</source>
+        <translation>返回叶瓣图</translation>
+    </message>
+    <message>
+        <source>CHANGE YOUR CUT</source>
+        <translation>修改切削</translation>
+    </message>
+    <message>
+        <source>Computing; the diagram becomes finer until it is done</source>
+        <translation>正在计算；图会逐步变细直到完成</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>正在计算</translation>
+    </message>
+    <message>
+        <source>No speed is stable at %1. The deepest stable cut: %2 at %3</source>
+        <translation>切深 %1 时没有稳定转速。最深的稳定切削：%3 时 %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::MachinePlot</name>
+    <message>
+        <source>MACHINE</source>
+        <translation>机床</translation>
+    </message>
+    <message>
+        <source>thick: what it did; thin: programmed; overrides: thick speed, thin feed</source>
+        <translation>粗线：实际；细线：编程；倍率：粗线转速，细线进给</translation>
+    </message>
+    <message>
+        <source>Speed, feed and overrides as they were read back</source>
+        <translation>读回的转速、进给和倍率</translation>
+    </message>
+    <message>
+        <source>Nothing was read from a machine</source>
+        <translation>没有从机床读到数据</translation>
     </message>
 </context>
 <context>
@@ -7873,6 +9342,29 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::SensitivityPanel</name>
+    <message>
+        <source>LESS SENSITIVE</source>
+        <translation>更迟钝</translation>
+    </message>
+    <message>
+        <source>MORE SENSITIVE</source>
+        <translation>更灵敏</translation>
+    </message>
+    <message>
+        <source>When it alarms: %1</source>
+        <translation>何时报警：%1</translation>
+    </message>
+    <message>
+        <source>ENERGY RATIO: full chatter from the limit on</source>
+        <translation>能量比：达到限值即为完全颤振</translation>
+    </message>
+    <message>
+        <source>EVIDENCE OF GROWTH: an onset from the limit on</source>
+        <translation>增长证据：达到限值即为起振</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::SessionList</name>
     <message>
         <source>Find job or tool</source>
@@ -7933,6 +9425,30 @@
     <message>
         <source>No recordings here. Cuts are recorded as the page SET UP, RECORDING says.</source>
         <translation>这里没有记录。是否记录由“设置”页的“记录”决定。</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>HISTORY</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Alarms by day, tool or job over all recordings</source>
+        <translation>所有录制按日、刀具或任务汇总的报警</translation>
+    </message>
+    <message>
+        <source>recordings still to be read: %1</source>
+        <translation>尚待读取的录制：%1</translation>
+    </message>
+    <message>
+        <source>without alarms of their own, not counted: %1</source>
+        <translation>自身没有报警，未计入：%1</translation>
+    </message>
+    <message>
+        <source>No recording has this in its job, tool or date.</source>
+        <translation>没有录制的任务、刀具或日期含有此内容。</translation>
     </message>
 </context>
 <context>
@@ -8115,6 +9631,22 @@
         <source>OVERLAY</source>
         <translation>叠加</translation>
     </message>
+    <message>
+        <source>WHOLE FILE</source>
+        <translation>整个文件</translation>
+    </message>
+    <message>
+        <source>Look at this recording as a whole, or open another file</source>
+        <translation>整体查看这段记录，或打开别的文件</translation>
+    </message>
+    <message>
+        <source>EVENTS</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>What happened in this recording</source>
+        <translation>此录制中发生了什么</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SettingsForm</name>
@@ -8228,10 +9760,6 @@
 <context>
     <name>stillcut::ui::SetupGuide</name>
     <message>
-        <source>Two ways to begin</source>
-        <translation>两种开始方式</translation>
-    </message>
-    <message>
         <source>SHOW ME A SIMULATED CUT</source>
         <translation>显示模拟切削</translation>
     </message>
@@ -8270,6 +9798,33 @@
     <message>
         <source>active</source>
         <translation>已生效</translation>
+    </message>
+    <message>
+        <source>Three ways to begin</source>
+        <translation>三种开始方式</translation>
+    </message>
+    <message>
+        <source>LOOK AT MY RECORDING</source>
+        <translation>查看我的记录</translation>
+    </message>
+    <message>
+        <source>Or open a recording of a cut, of a phone or a logger: whether it chatters, why, and which speed helps.</source>
+        <translation>或打开一段切削记录，手机或记录仪的均可：是否颤振、原因，以及哪个转速有用。</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupLimits</name>
+    <message>
+        <source>STILLCUT NEVER DRIVES THE MACHINE BEYOND</source>
+        <translation>STILLCUT 绝不驱动机床超出</translation>
+    </message>
+    <message>
+        <source>What the program says and the operator&apos;s own overrides are left alone. The limits are saved with the profile and hold from its START on, for the whole run.</source>
+        <translation>程序所写和操作者自己的倍率不受影响。限值随配置保存，自其“启动”起在整个运行中有效。</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>无限值</translation>
     </message>
 </context>
 <context>
@@ -8368,6 +9923,10 @@
     <message>
         <source>RECORDING</source>
         <translation>记录</translation>
+    </message>
+    <message>
+        <source>LIMITS</source>
+        <translation>限值</translation>
     </message>
 </context>
 <context>
@@ -8645,6 +10204,10 @@
         <source>Opening the device</source>
         <translation>正在打开设备</translation>
     </message>
+    <message>
+        <source>Take %1, which is plugged in here</source>
+        <translation>选用已插入的 %1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupTools</name>
@@ -8722,7 +10285,7 @@
     </message>
     <message>
         <source>no limit</source>
-        <translation>无限制</translation>
+        <translation>无限值</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -8777,12 +10340,71 @@
         <translation>直径</translation>
     </message>
     <message>
-        <source>Diameter, %1</source>
-        <translation>直径 %1</translation>
-    </message>
-    <message>
         <source>Flutes</source>
         <translation>刃数</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>切削材料</translation>
+    </message>
+    <message>
+        <source>File of its response</source>
+        <translation>响应文件</translation>
+    </message>
+    <message>
+        <source>Stick-out</source>
+        <translation>悬伸长度</translation>
+    </message>
+    <message>
+        <source>Deepest cut</source>
+        <translation>最大切深</translation>
+    </message>
+    <message>
+        <source>Lowest speed, rpm</source>
+        <translation>最低转速，rpm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Not used: %1</source>
+        <translation>未使用：%1</translation>
+    </message>
+    <message>
+        <source>modes: %1</source>
+        <translation>模态：%1</translation>
+    </message>
+    <message>
+        <source>response: %1</source>
+        <translation>响应：%1</translation>
+    </message>
+    <message>
+        <source>Not kept: the lowest speed lies above the highest</source>
+        <translation>未保留：最低转速高于最高转速</translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation>未保留：%1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SpectraMap</name>
+    <message>
+        <source>SPECTROGRAM</source>
+        <translation>频谱图</translation>
+    </message>
+    <message>
+        <source>Drag: move. Wheel: zoom in time, with Ctrl in frequency. Ctrl and drag: zoom to a stretch. Double click: all. Click: cursor A, with Shift B.</source>
+        <translation>拖动：移动。滚轮：缩放时间，按住 Ctrl 缩放频率。Ctrl 加拖动：放大一段。双击：全部。单击：光标 A，按住 Shift 为 B。</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>阶次</translation>
+    </message>
+    <message>
+        <source>chatter %1</source>
+        <translation>颤振 %1</translation>
     </message>
 </context>
 <context>
@@ -8896,10 +10518,236 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::StateRows</name>
+    <message>
+        <source>STATES</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>low: stable, half: onset, full: chatter, hatched: not judged; line: first indicator</source>
+        <translation>低：稳定，半高：起振，满高：颤振，斜线：未判断；曲线：第一指标</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::StatusStrip</name>
     <message>
         <source>State of the chain</source>
         <translation>信号链状态</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapLobePlot</name>
+    <message>
+        <source>Depth limits over speed</source>
+        <translation>切深极限与转速</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>正在计算</translation>
+    </message>
+    <message>
+        <source>Here the limits of the depth appear.</source>
+        <translation>切深极限显示在此处。</translation>
+    </message>
+    <message>
+        <source>Speeds to try; their depth is not known</source>
+        <translation>可试转速；切深未知</translation>
+    </message>
+    <message>
+        <source>Depth limit, hatched its uncertainty, blue what is recommended</source>
+        <translation>切深极限；阴影为不确定度，蓝色为推荐</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapMeasure</name>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Hammer</source>
+        <translation>力锤</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>BEGIN</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Begin the hits of this axis anew</source>
+        <translation>重新开始此方向的敲击</translation>
+    </message>
+    <message>
+        <source>FILES</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Open files of a tap test</source>
+        <translation>打开敲击试验文件</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation>敲击</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Files of a tap test</source>
+        <translation>敲击试验文件</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapModes</name>
+    <message>
+        <source>Modes</source>
+        <translation>模态</translation>
+    </message>
+    <message>
+        <source>Name of the file of modes</source>
+        <translation>模态文件名</translation>
+    </message>
+    <message>
+        <source>KEEP</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Keep the ticked modes of both axes in a file</source>
+        <translation>将两个方向勾选的模态保留到文件</translation>
+    </message>
+    <message>
+        <source>Keep as</source>
+        <translation>保留为</translation>
+    </message>
+    <message>
+        <source>Kept; a tool takes it as the file of its modes: %1</source>
+        <translation>已保留；刀具可将其用作模态文件：%1</translation>
+    </message>
+    <message>
+        <source>Not measured along %1</source>
+        <translation>%1 方向未测量</translation>
+    </message>
+    <message>
+        <source>Fitting the modes</source>
+        <translation>正在拟合模态</translation>
+    </message>
+    <message>
+        <source>A touch ticks a mode. Only ticked ones count.</source>
+        <translation>触按以勾选模态。只有勾选的才算。</translation>
+    </message>
+    <message>
+        <source>No force was measured: how stiff a mode is cannot be told.</source>
+        <translation>未测力：无法得知模态刚度。</translation>
+    </message>
+    <message>
+        <source>%1 Hz: %2</source>
+        <translation>%1 Hz：%2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapPage</name>
+    <message>
+        <source>There is nothing to measure with here.</source>
+        <translation>此处没有可用的测量设备。</translation>
+    </message>
+    <message>
+        <source>1 HIT</source>
+        <translation>1 敲击</translation>
+    </message>
+    <message>
+        <source>2 MODES</source>
+        <translation>2 模态</translation>
+    </message>
+    <message>
+        <source>3 SPEED</source>
+        <translation>3 转速</translation>
+    </message>
+    <message>
+        <source>Axis x, along the feed</source>
+        <translation>x 轴，沿进给方向</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>y 轴</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapSpeeds</name>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Climb or conventional</source>
+        <translation>顺铣或逆铣</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>齿数</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>Width of cut</source>
+        <translation>切削宽度</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>每齿进给</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>最低转速</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>最高转速</translation>
+    </message>
+    <message>
+        <source>Deepest cut</source>
+        <translation>最大切深</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>KEEP</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Keep modes and cut for this tool</source>
+        <translation>为此刀具保留模态和切削</translation>
+    </message>
+    <message>
+        <source>Keep for</source>
+        <translation>保留给</translation>
+    </message>
+    <message>
+        <source>Kept: %1</source>
+        <translation>已保留：%1</translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation>顺铣</translation>
+    </message>
+    <message>
+        <source>conventional</source>
+        <translation>逆铣</translation>
+    </message>
+    <message>
+        <source>a file alone</source>
+        <translation>仅保存文件</translation>
     </message>
 </context>
 <context>
@@ -9095,6 +10943,14 @@
         <source>REVERT</source>
         <translation>还原</translation>
     </message>
+    <message>
+        <source>EXPERT</source>
+        <translation>专家</translation>
+    </message>
+    <message>
+        <source>Expert: every method and each of its parameters</source>
+        <translation>专家：每种方法及其各个参数</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::TuningController</name>
@@ -9116,6 +10972,21 @@
     <message>
         <source>Verdict</source>
         <translation>结论</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::WavePlot</name>
+    <message>
+        <source>SIGNAL</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Drag: move. Wheel: zoom. Ctrl and drag: zoom to a stretch. Double click: all. Click: cursor A, with Shift B.</source>
+        <translation>拖动：移动。滚轮：缩放。Ctrl 加拖动：放大一段。双击：全部。单击：光标 A，按住 Shift 为 B。</translation>
+    </message>
+    <message>
+        <source>below: %1</source>
+        <translation>下方：%1</translation>
     </message>
 </context>
 </TS>

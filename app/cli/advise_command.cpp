@@ -1,4 +1,5 @@
-// stillcut-cli advise FILE [--depth MM] [--speeds FROM:TO] [--feed MM] [--cutting-speed M_PER_MIN] [--json]
+// stillcut-cli advise FILE [--depth MM] [--speeds FROM:TO] [--feed MM] [--cutting-speed M_PER_MIN]
+//                     [--pitch-at RPM] [--json]
 
 #include <cmath>
 #include <cstdio>
@@ -6,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/cut_options.h"
+#include "app/cli/json_line.h"
 #include "core/milling/stability/advice.h"
+#include "core/milling/stability/advice/pitch_advice.h"
 
 namespace stillcut::app {
 namespace {
@@ -17,6 +20,7 @@ struct AdviseCommand {
   CutOptions cut;
   std::string speeds;
   double depthMm = 0.0, feedMm = 0.0, cuttingSpeed = 0.0;  // 0: what the file says
+  double pitchAt = 0.0;                                    // [rev/min]; 0: speeds are asked for, not pitches
   int threads = 2;
   bool json = false;
 };
@@ -70,19 +74,26 @@ nlohmann::json asJson(const ForcedVibration& forced) {
 
 nlohmann::json asJson(const SpeedAdvice& advice, const AdviceRequest& request, const CutFile& cut) {
   using nlohmann::json;
-  json all{{"case", cut.name},
-           {"depth_mm", 1e3 * request.depth.value},
-           {"lowest_rpm", request.lowest.value},
-           {"highest_rpm", advice.highest.value},
-           {"pockets", json::array()},
-           {"warnings", json::array()}};
+  json all = jsonObject("advise", "answer");
+  all["case"] = cut.name;
+  all["depth_mm"] = 1e3 * request.depth.value;
+  all["lowest_rpm"] = request.lowest.value;
+  all["highest_rpm"] = advice.highest.value;
+  all["deepest"] = nullptr;
+  all["pockets"] = json::array();
+  all["warnings"] = json::array();
   for (const SpeedPocket& p : advice.pockets) {
-    json pocket{{"from_rpm", p.from.speed.value},  {"to_rpm", p.to.speed.value}, {"best_rpm", p.best.value},
-                {"limit_mm", 1e3 * p.limit.value}, {"margin", p.margin},         {"width", p.width}};
-    if (p.from.frequency.value > 0.0) pocket["chatter_below_hz"] = p.from.frequency.value;
-    if (p.to.frequency.value > 0.0) pocket["chatter_above_hz"] = p.to.frequency.value;
-    if (p.removal > 0.0) pocket["removal_cm3_per_min"] = 6e7 * p.removal;
-    if (p.forced) pocket["forced"] = asJson(*p.forced);
+    json pocket{{"from_rpm", p.from.speed.value},
+                {"to_rpm", p.to.speed.value},
+                {"best_rpm", p.best.value},
+                {"limit_mm", 1e3 * p.limit.value},
+                {"margin", p.margin},
+                {"width", p.width},
+                {"chatter_below_hz", orNull(p.from.frequency.value, p.from.frequency.value > 0.0)},
+                {"chatter_above_hz", orNull(p.to.frequency.value, p.to.frequency.value > 0.0)},
+                {"removal_cm3_per_min", orNull(6e7 * p.removal, p.removal > 0.0)},
+                {"forced", p.forced ? asJson(*p.forced) : json()},
+                {"quietest", nullptr}};
     if (p.quietest) {
       pocket["quietest"] = asJson(p.quietest->forced);
       pocket["quietest"]["speed_rpm"] = p.quietest->speed.value;
@@ -125,17 +136,47 @@ void print(const SpeedAdvice& advice, const AdviceRequest& request) {
   std::printf("\n");
 }
 
+nlohmann::json asJson(const PitchChoice& choice) {
+  std::vector<double> degrees;
+  for (double angle : choice.pitch) degrees.push_back(std::round(angle * 3.6e5 / kTwoPi) / 1e3);
+  return {{"pitch_deg", degrees}, {"limit_mm", 1e3 * choice.limit.value}};
+}
+
+int runPitch(const AdviseCommand& c, const CutFile& cut) {
+  const Metres depth = c.depthMm > 0.0 ? Metres(1e-3 * c.depthMm) : cut.depth;
+  if (!(depth.value > 0.0)) {
+    return fail({c.cut.file, message("does not say how deep the cut is"), message("give --depth MM")});
+  }
+  const auto advice = advisePitch(cut.model, Rpm(c.pitchAt), depth, c.cut.file);
+  if (!advice) return fail(advice.error());
+  if (c.json) {
+    const nlohmann::json all{{"case", cut.name},
+                             {"depth_mm", 1e3 * depth.value},
+                             {"speed_rpm", c.pitchAt},
+                             {"searched_mm", 1e3 * advice->searched.value},
+                             {"best", asJson(advice->best)},
+                             {"even", asJson(advice->even)}};
+    std::printf("%s\n", all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    return kExitDone;
+  }
+  std::printf("pitch");
+  for (double angle : advice->best.pitch) std::printf(" %.1f", angle * 360.0 / kTwoPi);
+  std::printf(" degrees: up to %.3g mm within 2 %% of %.0f rev/min; even teeth: %.3g mm; searched to %.3g mm\n",
+              1e3 * advice->best.limit.value, c.pitchAt, 1e3 * advice->even.limit.value, 1e3 * advice->searched.value);
+  return kExitDone;
+}
+
 int run(const AdviseCommand& c) {
   const auto cut = readCut(c.cut);
   if (!cut) return fail(cut.error());
+  if (c.pitchAt > 0.0) return runPitch(c, *cut);
   const auto request = requestOf(c, *cut);
   if (!request) return fail(request.error());
   const auto advice = adviseSpeeds(cut->model, *request, c.cut.file);
   if (!advice) return fail(advice.error());
   for (const Message& warning : advice->warnings) std::fprintf(stderr, "warning: %s\n", text(warning).c_str());
   if (c.json) {
-    std::printf("%s\n",
-                asJson(*advice, *request, *cut).dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    printJsonLine(asJson(*advice, *request, *cut));
   } else {
     print(*advice, *request);
   }
@@ -154,6 +195,8 @@ void addAdvise(CLI::App& app, int& exitCode) {
   sub->add_option("--feed", c->feedMm, "Feed per tooth [mm], for the removal rate; left out: the file's")
       ->check(CLI::PositiveNumber);
   sub->add_option("--cutting-speed", c->cuttingSpeed, "Largest of the tool [m/min]")->check(CLI::PositiveNumber);
+  sub->add_option("--pitch-at", c->pitchAt, "Which pitch of the teeth would be best at this speed [rev/min], instead")
+      ->check(CLI::PositiveNumber);
   sub->add_flag("--json", c->json, "Print JSON");
   sub->add_option("--threads", c->threads, "Threads to work with")->check(CLI::Range(1, 64));
   sub->callback([c, &exitCode] { exitCode = run(*c); });

@@ -20,7 +20,7 @@ struct CalibrateOptions : MeasurementOptions {
 };
 
 void print(const daq::Calibration& found, const ChannelInfo& before, const ChannelInfo& now) {
-  std::printf("%s: a tone of %.2f Hz, %.6g rms of the input, %.1f %% of what is heard\n", before.name.c_str(),
+  std::printf("%s: a tone of %.2f Hz, %.6g rms of the input, %.1f %% of the signal\n", before.name.c_str(),
               found.frequency.value, found.rms, 100.0 * found.pure);
   std::printf("scale %.6g +- %.2g %s per unit of the input", now.scale, found.scaleSd,
               std::string(siUnit(now.quantity)).c_str());

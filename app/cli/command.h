@@ -28,12 +28,15 @@ void addCouple(CLI::App& app, int& exitCode);
 void addCoefficients(CLI::App& app, int& exitCode);
 void addLobes(CLI::App& app, int& exitCode);
 void addAdvise(CLI::App& app, int& exitCode);
+void addMaterials(CLI::App& app, int& exitCode);
 void addConvert(CLI::App& app, int& exitCode);
 void addDevices(CLI::App& app, int& exitCode);
 void addScore(CLI::App& app, int& exitCode);
 void addCalibrate(CLI::App& app, int& exitCode);
 void addKnock(CLI::App& app, int& exitCode);
+void addLearn(CLI::App& app, int& exitCode);
 void addParameters(CLI::App& app, int& exitCode);
 void addPath(CLI::App& app, int& exitCode);
+void addReproduce(CLI::App& app, int& exitCode);
 
 }  // namespace stillcut::app

@@ -1,13 +1,62 @@
 #include "app/cli/cut_options.h"
 
+#include <array>
 #include <cstdio>
+#include <filesystem>
+#include <utility>
 
+#include "core/milling/identify/modal_measurement.h"
 #include "core/milling/identify/model_files.h"
+#include "core/milling/material_table.h"
 
 namespace stillcut::app {
 namespace {
 
 constexpr double kRadians = kTwoPi / 360.0;
+
+milling::MeasuredResponse measuredOf(const identify::Frf& frf) {
+  identify::Frf compliance = identify::toCompliance(frf);
+  return {std::move(compliance.frequency), std::move(compliance.value)};
+}
+
+Result<identify::ModalAnswer> readResponses(const std::vector<std::string>& files,
+                                            const std::vector<std::string>& axes) {
+  identify::ModalRequest request;
+  request.import.kind = identify::MeasurementKind::Frf;
+  for (const std::string& axis : axes)
+    request.import.axes.push_back(axis == "y" ? identify::Axis::Y : identify::Axis::X);
+  return identify::measureResponses(files, request);
+}
+
+// The responses themselves, and for the methods that need them modes with the residuals of their fit.
+Status takeResponses(const CutOptions& o, milling::ModelParts& parts, milling::MeasuredReceptance& measured) {
+  const auto answer = readResponses(o.responses, o.responseAxes);
+  if (!answer) return answer.error();
+  for (const Message& remark : answer->remarks) std::fprintf(stderr, "%s\n", text(remark).c_str());
+  for (const identify::AxisModes& one : answer->axes) {
+    const bool y = one.axis == identify::Axis::Y;
+    (y ? measured.yy : measured.xx) = measuredOf(one.frf);
+    const auto fit = identify::fitModes(one.frf, {});
+    if (!fit) return fit.error();
+    std::vector<milling::Mode> modes = fit->whole;
+    for (milling::Mode& m : modes) {
+      m.direction = y ? std::array{0.0, 1.0} : std::array{1.0, 0.0};
+      parts.modes.push_back(m);
+    }
+    std::fprintf(stderr, "%s: %zu modes, %d of them for what lies outside %.0f to %.0f Hz, misfit %.1f %%\n",
+                 y ? "y" : "x", fit->whole.size(), fit->outside, fit->from, fit->to, 100.0 * fit->realMisfit);
+    constexpr double kPoor = 0.1;
+    if (fit->realMisfit > kPoor) {
+      std::fprintf(stderr, "warning: real modes leave much of this response out: --method zoa takes it as it is\n");
+    }
+  }
+  if (!o.crossResponse.empty()) {
+    const auto cross = readResponses({o.crossResponse}, {});
+    if (!cross) return cross.error();
+    measured.xy = measuredOf(cross->axes.front().frf);
+  }
+  return measured.check("--frf");
+}
 
 // What `modal` and `coefficients` wrote, several files of modes together (one for each axis hit).
 Result<milling::ModelParts> readParts(const CutOptions& o) {
@@ -23,6 +72,13 @@ Result<milling::ModelParts> readParts(const CutOptions& o) {
     }
   }
   if (o.material.empty()) return parts;
+  std::error_code none;
+  if (!std::filesystem::exists(o.material, none) && std::filesystem::path(o.material).extension() != ".toml") {
+    const auto named = milling::materialNamed(o.material, "--material");
+    if (!named) return named.error();
+    parts.material = named.value();
+    return parts;
+  }
   const auto material = identify::loadMaterial(o.material);
   if (!material) return material.error();
   parts.material = material->material;
@@ -51,7 +107,19 @@ void addCutOptions(CLI::App& command, CutOptions& o) {
                   "The cut: a case, a scenario or a machine's profile (.toml), a reference case (.json)")
       ->required();
   command.add_option("--modes", o.modes, "Modes that `modal` wrote, instead of the file's; once for each axis");
-  command.add_option("--material", o.material, "Coefficients that `coefficients` wrote, instead of the file's");
+  command.add_option("--material", o.material,
+                     "Coefficients that `coefficients` wrote, or a name that `materials` lists, instead of the file's");
+  command
+      .add_option(
+          "--frf", o.responses,
+          "Frequency responses of the tool's tip along x and y, instead of modes: zoa takes them as they are, the "
+          "others a fit with its residuals")
+      ->excludes("--modes");
+  command.add_option("--frf-axis", o.responseAxes, "Their axes, where the files do not say: x, y, one for each file")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"x", "y"}));
+  command.add_option("--frf-cross", o.crossResponse, "Response along one axis to a force along the other, for zoa")
+      ->needs("--frf");
   command.add_option("--engagement", o.engagement, "START:EXIT of the cut [degrees], 0:180 is a slot");
   command
       .add_option_function<double>(
@@ -65,10 +133,15 @@ void addCutOptions(CLI::App& command, CutOptions& o) {
 }
 
 Result<CutFile> readCut(const CutOptions& o) {
-  const auto parts = readParts(o);
+  auto parts = readParts(o);
   if (!parts) return parts.error();
+  milling::MeasuredReceptance measured;
+  if (!o.responses.empty()) {
+    if (const Status ok = takeResponses(o, parts.value(), measured); !ok) return ok.error();
+  }
   Result<CutFile> cut = loadCutFile(o.file, *parts);
   if (!cut) return cut;
+  if (!o.responses.empty()) cut->measured = std::move(measured);
   if (!o.engagement.empty()) {
     if (const Status ok = setAngles(cut->model, o.engagement); !ok) return ok.error();
   }

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/cli/cut_file.h"
+#include "app/compose/cut/cut_file.h"
 
 namespace stillcut::app {
 
 struct CutOptions {
   std::string file, material, engagement;
   std::vector<std::string> modes;
+  std::vector<std::string> responses, responseAxes;  // files of frequency responses, and their axes
+  std::string crossResponse;
   double offsetMm = 0.0;
   bool offsetGiven = false;
 };

@@ -8,13 +8,13 @@
 
 #include "app/cli/command.h"
 #include "app/compose/effect_trial.h"
-#include "app/compose/interruption.h"
+#include "app/compose/ending/interruption.h"
 #include "app/compose/profile_rig.h"
 #include "app/io/alsa_driver.h"
 #include "app/io/comedi_driver.h"
 #include "app/io/find_machines.h"
 #include "app/io/iio_driver.h"
-#include "app/io/one_program_link.h"
+#include "app/io/kept_link.h"
 #include "app/io/wires.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
@@ -127,7 +127,8 @@ int tryLink(const DeviceOptions& o) {
   if (!profile) return fail(profile.error());
   const auto events = wireEvents();  // outlives the link and its wires
   const SteadyClock clock;
-  auto link = makeOneProgramLink(profile->link.id, linkRequest(*profile, o.profile, clock, AnalogOutputs::LeftAlone));
+  auto link = makeKeptLink(profile->link.id, linkRequest(*profile, o.profile, clock, AnalogOutputs::LeftAlone),
+                           AnalogOutputs::LeftAlone);
   if (!link) return fail(link.error());
   mindInterruption();
   cnc::LinkTrial trial(**link, clock);

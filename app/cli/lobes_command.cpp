@@ -22,11 +22,11 @@ struct LobesCommand {
   CutOptions cut;
   std::string out, speeds;
   std::string method = "exact";
-  int cells = 40;
+  int cells = 0;  // as many as it takes
   int order = 1;
   int threads = 2;
   double maxDepthMm = 0.0;     // 0: the case's
-  std::vector<double> spread;  // [%] of frequency, damping, stiffness, force; empty: no band
+  std::vector<double> spread;  // [%] of frequency, damping, stiffness and, unless it is the material's, force; or none
   bool json = false;
 };
 
@@ -59,11 +59,14 @@ Result<std::vector<Rpm>> usualSpeeds(const CutModel& model) {
 
 Result<LimitBands> bandsOf(const LobesCommand& c, const CutFile& cut, const std::vector<Rpm>& speeds, Metres deepest) {
   if (c.spread.empty()) return LimitBands{};
-  if (c.spread.size() != 4) {
+  const Material& material = cut.model.material;
+  if (c.spread.size() != 4 && !(c.spread.size() == 3 && material.spread > 0.0)) {
     return Error{"--spread", message("needs four numbers"), message("FREQUENCY,DAMPING,STIFFNESS,FORCE in percent")};
   }
   if (c.method != "exact") return Error{"--spread", message("bands are of the exact method")};
-  const ModelSpread spread{0.01 * c.spread[0], 0.01 * c.spread[1], 0.01 * c.spread[2], 0.01 * c.spread[3]};
+  ModelSpread spread{0.01 * c.spread[0], 0.01 * c.spread[1], 0.01 * c.spread[2], material.spread};
+  if (c.spread.size() == 4) spread.force = 0.01 * c.spread[3];
+  spread.processDamping = material.dampingSpread;
   return limitBands(cut.model, speeds, deepest, spread, c.threads, "--spread");
 }
 
@@ -80,6 +83,7 @@ int run(const LobesCommand& c) {
   options.limits.maxAxialDepth = c.maxDepthMm > 0.0 ? Metres(1e-3 * c.maxDepthMm) : cut->maxAxialDepth;
   options.sdm = {c.cells, c.order};
   options.threads = c.threads;
+  options.measured = cut->measured;
   const auto sweep = sweepLobes(cut->model, *speeds, options, c.cut.file);
   if (!sweep) return fail(sweep.error());
   for (const Message& warning : sweep->warnings) std::fprintf(stderr, "warning: %s\n", text(warning).c_str());
@@ -105,13 +109,15 @@ void addLobes(CLI::App& app, int& exitCode) {
   addCutOptions(*sub, c->cut);
   sub->add_option("--method", c->method, "zoa (zeroth order), sdm (semi-discretization) or exact")
       ->check(CLI::IsMember({"zoa", "sdm", "exact"}));
-  sub->add_option("--k", c->cells, "Cells per tooth period, for sdm");
+  sub->add_option("--k", c->cells, "Cells per tooth period, for sdm; left out: as many as the fastest mode calls for");
   sub->add_option("--order", c->order, "Order of sdm, 0 or 1");
   sub->add_option("--speeds", c->speeds, "FROM:TO:STEP [rev/min], TO included; left out: the modes' lobes");
   sub->add_option("--max-depth", c->maxDepthMm, "Deepest cut looked at [mm]; left out: the case's")
       ->check(CLI::PositiveNumber);
-  sub->add_option("--spread", c->spread,
-                  "FREQUENCY,DAMPING,STIFFNESS,FORCE: standard deviations of the model [%]; adds the band of the limit")
+  sub->add_option(
+         "--spread", c->spread,
+         "FREQUENCY,DAMPING,STIFFNESS,FORCE: standard deviations of the model [%]; adds the band of the limit. "
+         "FORCE may be left out where the material has a spread of its own")
       ->delimiter(',');
   sub->add_flag("--json", c->json, "Print JSON: limits with the depth searched, whether verified, and the warnings");
   sub->add_option("--threads", c->threads, "Threads to work with")->check(CLI::Range(1, 64));

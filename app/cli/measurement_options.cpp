@@ -12,7 +12,7 @@ namespace stillcut::app {
 
 void addMeasurementOptions(CLI::App& command, MeasurementOptions& o, const std::string& heard) {
   command.add_option("RECORDING", o.recording,
-                     "Recording of " + heard + "; left out: the device of --profile is heard");
+                     "Recording of " + heard + "; left out: the device of --profile is measured");
   command.add_option("--profile", o.profile, "Listen to the device of this profile (.toml)");
   command.add_option("--seconds", o.seconds, "How long, from 2 to 60")->capture_default_str();
 }
@@ -22,7 +22,7 @@ Status checkMeasurementOptions(const MeasurementOptions& o, const std::string& c
   if (o.recording.empty() == o.profile.empty()) {
     return Error{
         command,
-        o.recording.empty() ? message("nothing to listen to") : message("both a recording and a profile are named"),
+        o.recording.empty() ? message("nothing to measure") : message("both a recording and a profile are named"),
         message("name a RECORDING of the %1, or --profile of the machine %2", heard, whose)};
   }
   if (o.save && o.profile.empty())

@@ -1,4 +1,4 @@
-// What commands share that hear a sensor: from a recording of it, or from the device of a profile that is then set
+// What commands share that measure a sensor: from a recording of it, or from the device of a profile that is then set
 // right.
 // Thread: main; hearing waits for the device.
 #pragma once

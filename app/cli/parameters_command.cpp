@@ -77,7 +77,7 @@ void printRow(const Run& run) {
 }
 
 void printChapter(const std::vector<const ParamDecl*>& decls) {
-  std::puts("# Parameters\n");
+  std::puts("# Parameters\n\n*English only. Nur auf Englisch. 仅有英文。*\n");
   std::puts(
       "Every parameter, its default, its range and its meaning. `auto`: the program finds the value itself and says");
   std::puts(

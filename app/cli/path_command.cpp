@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/json_line.h"
 #include "app/cli/out_path.h"
 #include "core/active/lms.h"
 #include "core/active/stability_margin.h"
@@ -69,17 +70,18 @@ Status writeFit(const std::string& path, const active::PathReport& report) {
 void print(const active::IdentifiedPath& path, const ActivePath& margin, const PathCommand& command) {
   constexpr double kDegrees = 360.0 / kTwoPi;
   if (command.asJson) {
-    const json answer = {{"recording", command.file},
-                         {"path_residual", path.report.residual},
-                         {"loop_delay_ms", 1e3 * margin.delay.value},
-                         {"phase_left_deg", kDegrees * margin.phaseMargin},
-                         {"worst_at_hz", margin.worstFrequency.value},
-                         {"delay_left_ms", 1e3 * margin.delayMargin.value},
-                         {"promises_stable", margin.predictedStable},
-                         {"delay_samples", path.model.delay},
-                         {"forward", path.model.forward},
-                         {"backward", path.model.backward}};
-    std::printf("%s\n", answer.dump(2).c_str());
+    json answer = jsonObject("path", "answer");
+    answer.update({{"recording", command.file},
+                   {"path_residual", orNull(path.report.residual)},
+                   {"loop_delay_ms", orNull(1e3 * margin.delay.value)},
+                   {"phase_left_deg", orNull(kDegrees * margin.phaseMargin)},
+                   {"worst_at_hz", orNull(margin.worstFrequency.value)},
+                   {"delay_left_ms", orNull(1e3 * margin.delayMargin.value)},
+                   {"promises_stable", margin.predictedStable},
+                   {"delay_samples", path.model.delay},
+                   {"forward", path.model.forward},
+                   {"backward", path.model.backward}});
+    printJson(answer);
     return;
   }
   std::printf("path known to %.1f %%, %.2f ms late, %zu and %zu taps\n", 100.0 * path.report.residual,
@@ -89,7 +91,7 @@ void print(const active::IdentifiedPath& path, const ActivePath& margin, const P
                 kDegrees * margin.phaseMargin, margin.worstFrequency.value, 1e3 * margin.delayMargin.value);
   } else {
     std::printf(
-        "promises no stability: its phase is off by 90 degrees or more, or the sensor does not hear the actuator "
+        "has no phase margin: its phase is off by 90 degrees or more, or the sensor measures nothing of the actuator "
         "there\n");
   }
 }
@@ -130,7 +132,7 @@ void addPath(CLI::App& app, int& exitCode) {
   sub->add_flag("--sweep", c->request.sweep, "A sweep was written, and no noise");
   sub->add_option("--taps", c->taps, "Taps of each part of the recursive model")
       ->check(CLI::Range(1, active::kMostTaps));
-  sub->add_option("--quieten", c->quieten, "Lines that are to be quietened [Hz]: F[,F]; left out: all that is heard")
+  sub->add_option("--quieten", c->quieten, "Lines that are to be quietened [Hz]: F[,F]; left out: all that is measured")
       ->delimiter(',');
   sub->add_option("--out", c->out, "Write measured and modelled response to FIT.csv");
   sub->add_flag("--json", c->asJson, "Print one JSON object, with the model");

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/cli/json_line.h"
 #include "app/cli/setting_options.h"
 #include "app/compose/recording_score.h"
 #include "core/detect/registry.h"
@@ -111,8 +112,8 @@ Result<Outcome> scoreAll(const ScoreOptions& given, ScoreRequest request) {
   return outcome;
 }
 
-nlohmann::ordered_json toJson(const evaluate::AlarmScore& s) {
-  const auto number = [](double value) { return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr; };
+nlohmann::json toJson(const evaluate::AlarmScore& s) {
+  const auto number = [](double value) { return std::isfinite(value) ? nlohmann::json(value) : nullptr; };
   return {{"spans", s.spans},
           {"found", s.found},
           {"missed", s.missed()},
@@ -124,8 +125,8 @@ nlohmann::ordered_json toJson(const evaluate::AlarmScore& s) {
           {"delay_p95_s", number(s.delayQuantile(0.95))}};
 }
 
-nlohmann::ordered_json toJson(const std::map<std::string, evaluate::AlarmScore>& byDetector) {
-  nlohmann::ordered_json json;
+nlohmann::json toJson(const std::map<std::string, evaluate::AlarmScore>& byDetector) {
+  nlohmann::json json;
   for (const auto& [detector, score] : byDetector) json[detector] = toJson(score);
   return json;
 }
@@ -139,21 +140,21 @@ std::vector<std::string> sentences(const Outcome& outcome) {
   return lines;
 }
 
-void printJson(const Outcome& outcome, const std::vector<std::string>& settings) {
-  nlohmann::ordered_json json;
+void printAnswer(const Outcome& outcome, const std::vector<std::string>& settings) {
+  nlohmann::json json = jsonObject("score", "answer");
   json["detectors"] = toJson(outcome.now.byDetector);
   if (!settings.empty()) {
     json["what_if"] = {{"set", settings}, {"before", toJson(outcome.before.byDetector)}, {"words", sentences(outcome)}};
   }
-  json["files"] = nlohmann::ordered_json::array();
+  json["files"] = nlohmann::json::array();
   for (const FileScore& f : outcome.now.files) {
     json["files"].push_back(
         {{"file", f.file}, {"truth", f.truth.from}, {"length_s", f.length.value}, {"detectors", toJson(f.byDetector)}});
   }
   json["without_truth"] = outcome.unmarked;
-  json["unreadable"] = nlohmann::ordered_json::array();
+  json["unreadable"] = nlohmann::json::array();
   for (const Error& problem : outcome.unreadable) json["unreadable"].push_back(problem.line());
-  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  printJson(json);
 }
 
 std::string figure(double value, const char* format) {
@@ -195,7 +196,7 @@ int score(const ScoreOptions& given) {
   const auto outcome = scoreAll(given, std::move(*request));
   if (!outcome) return fail(outcome.error());
   if (given.json) {
-    printJson(outcome.value(), given.settings.settings);
+    printAnswer(outcome.value(), given.settings.settings);
   } else {
     printTable(outcome.value(), given);
   }

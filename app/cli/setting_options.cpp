@@ -5,6 +5,8 @@
 #include "app/compose/profile_rig.h"
 #include "core/config/profile.h"
 #include "core/config/toml_reader.h"
+#include "core/control/registry.h"
+#include "core/detect/registry.h"
 #include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
@@ -28,6 +30,18 @@ Result<Settings> readConfig(const std::string& path, const config::ParamCatalog&
 }
 
 }  // namespace
+
+std::string detectorWords(bool all) {
+  std::string words;
+  for (const auto& row : detect::detectorTable()) words += (words.empty() ? "" : ",") + std::string(row.id);
+  return "TEXT:{" + words + (all ? ",all}" : "}");
+}
+
+std::string strategyWords() {
+  std::string words = "active";
+  for (const auto& entry : control::strategyTable()) words += "," + std::string(entry.id);
+  return "TEXT:{" + words + "}";
+}
 
 Result<Settings> SettingOptions::read(const config::ParamSet& base) const {
   const config::ParamCatalog catalog = pipeline::fullCatalog();

@@ -25,4 +25,8 @@ struct SettingOptions {
   Result<Settings> read(const config::ParamSet& base = {}) const;
 };
 
+// What an option takes, as its help and the completion of shells say it: "TEXT:{energy-ratio,spectral,all}".
+std::string detectorWords(bool all);
+std::string strategyWords();
+
 }  // namespace stillcut::app

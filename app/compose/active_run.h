@@ -30,7 +30,7 @@ struct AxisResult {
   ActivePath margin;
   ActuatorRelease released = ActuatorRelease::None;
   double releasedAt = 0.0;  // [s]
-  double strokeUsed = 0.0;  // largest share of the amplitude limit
+  double strokeUsed = 0.0;  // largest fraction of the amplitude limit
   double limitedFraction = 0.0;
 };
 
@@ -52,7 +52,7 @@ struct ActiveResult {
 };
 
 // Refuses a scenario without a work-holder or without an accelerometer on each axis, a path that cannot be identified,
-// and one that promises no stability. With active.feedback = force: force_run.h.
+// and one without phase margin. With active.feedback = force: force_run.h.
 Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOptions& options);
 
 }  // namespace stillcut::app

@@ -6,6 +6,7 @@
 #include <matio.h>
 #include <sndfile.h>
 #include <spdlog/version.h>
+#include <sqlite3.h>
 #include <toml++/toml.h>
 #include <zlib.h>
 
@@ -62,6 +63,7 @@ std::string versionText(std::string_view program, std::string_view more) {
       std::string("zlib ") + zlibVersion(),
       "Eigen " + dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION),
       "spdlog " + dotted(SPDLOG_VER_MAJOR, SPDLOG_VER_MINOR, SPDLOG_VER_PATCH),
+      std::string("SQLite ") + sqlite3_libversion(),
       "toml++ " + dotted(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH),
       "JSON for Modern C++ " +
           dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)};

@@ -17,7 +17,7 @@ constexpr Duration kLongestMove = std::chrono::seconds(6);
 constexpr Duration kStay = std::chrono::milliseconds(500);
 constexpr double kNear = 0.006;  // overrides are whole per cents
 
-// The gate, the lease and the link as in a run; in the place of detector and strategy the wish to move.
+// The gate, the lease and the link as in a run; in the place of detector and strategy the request to move.
 class Mover {
  public:
   Mover(cnc::CncLink& link, const Clock& clock) : clock_(clock), runner_(link, commands_, states_) {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Seconds kLook{0.25};  // how often the disk's thread asks for news
+constexpr Seconds kLook{0.25};  // how often the disk's thread looks for new faults
 
 // "2026-05-04T13-58-07.123-gate-stale-machine.txt": sorted by name is sorted by time.
 std::string fileName(const Reason& cause) {

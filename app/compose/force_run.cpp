@@ -20,9 +20,9 @@ constexpr std::array<const char*, 2> kAxes{"x", "y"};
 constexpr double kBeside = 0.1;  // of the spindle's frequency: how far beside its line the tones are
 constexpr double kTone = 0.2;    // of the stroke
 constexpr double kStatic = 1.0;  // [Hz]: slower force is the cut's own
-constexpr int kTaps = 512;       // 0.1 s at 5 kHz: most of a turn, so that both parts of the tone can be made
-// Of the bound: on one line the weights turn a whole filter at once, and what they do is heard only after path and
-// weighting, some 900 samples; so slowly that it is heard before they have gone half the way.
+constexpr int kTaps = 512;       // 0.1 s at 5 kHz: most of a revolution, so that both parts of the tone can be made
+// Of the bound: on one line the weights turn a whole filter at once, and it is measured only after path and
+// weighting, some 900 samples; so slowly that it is measured before they have gone half the way.
 constexpr double kStep = 0.0005;
 constexpr double kLeak = 0.9999;  // the paper's for force
 constexpr double kWidth = 4.0;    // [Hz] of the emphasis on the line
@@ -103,7 +103,7 @@ Complex toneIn(std::span<const double> x, double frequency, Hertz rate) {
   return 2.0 * sum / static_cast<double>(length);
 }
 
-// Two coefficients a quarter of a turn apart make any response at one frequency.
+// Two coefficients a quarter of a period apart make any response at one frequency.
 active::PathModel modelOf(Complex response, double frequency, Hertz rate) {
   const auto quarter = static_cast<std::size_t>(std::lround(0.25 * rate.value / frequency));
   const double w = kTwoPi * frequency / rate.value;
@@ -135,7 +135,7 @@ Result<ActiveResult> runForce(const milling::Scenario& scenario, const ActiveOpt
   const double spindle = scenario.programme.speed.value / 60.0;
   if (0.25 * rate.value / spindle >= active::kMostTaps) {
     return Error{scenario.name, message("turns too slowly for its rate"),
-                 message("a quarter of a turn must fit into 512 samples")};
+                 message("a quarter of a revolution must fit into 512 samples")};
   }
   const active::ActiveEngineOptions engine = activeOptions(*scenario.workHolder, options.params);
 

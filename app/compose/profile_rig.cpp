@@ -11,9 +11,7 @@
 #include "app/io/comedi_driver.h"
 #include "app/io/comedi_output.h"
 #include "app/io/iio_driver.h"
-#include "app/io/one_program_link.h"
 #include "app/io/wires.h"
-#include "core/cnc/analog/silent_output.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
 #include "core/daq/registry.h"
@@ -35,11 +33,6 @@ Result<std::optional<milling::Scenario>> scenarioOf(const config::Profile& profi
   auto scenario = milling::loadScenario(besideProfile(setting->second, path));
   if (!scenario) return scenario.error();
   return std::optional(std::move(scenario).value());
-}
-
-std::unique_ptr<cnc::AnalogOutput> makeSilentOutput() {
-  auto card = makeComediOutput();
-  return card ? std::make_unique<cnc::SilentOutput>(std::move(card)) : nullptr;
 }
 
 }  // namespace
@@ -105,7 +98,7 @@ Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std:
   request.scenario = simulated;
   request.port = port;
   request.asked = asked;
-  auto link = makeOneProgramLink(profile.link.id, request);
+  auto link = makeKeptLink(profile.link.id, request, outputs);
   if (!link) return link.error();
   parts.link = std::move(link).value();
   return parts;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/compose/rig.h"
+#include "app/io/kept_link.h"
 #include "core/cnc/registry.h"
 #include "core/config/component_settings.h"
 #include "core/config/profile.h"
@@ -20,9 +21,7 @@ struct ProfileParts {
   std::unique_ptr<daq::DaqSource> device;
   std::unique_ptr<cnc::CncLink> link;  // empty: no machine
 };
-// Analog outputs hold a voltage from open() on; a trial leaves them as they are.
-enum class AnalogOutputs { Written, LeftAlone };
-// `asked`, where given, is told of every setting the link asks for.
+// `asked`, where given, receives every setting the link asks for.
 Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
                                       std::vector<config::SettingDecl>* asked = nullptr,
                                       AnalogOutputs outputs = AnalogOutputs::Written);

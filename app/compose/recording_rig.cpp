@@ -8,14 +8,15 @@
 #include "core/daq/replay_source.h"
 #include "core/evaluate/channel_survey.h"
 #include "core/evaluate/scenario_reader.h"
+#include "core/model/sensor_status.h"
 #include "core/pipeline/catalog.h"
 #include "core/session/open_recording.h"
 
 namespace stillcut::app {
 namespace {
 
-constexpr double kBlock_s = 0.005;  // of imported files: how fine their verdicts are in time
-constexpr Hertz kSlowest{100.0};    // nothing below it can be judged
+constexpr double kBlock_s = 0.005;               // of imported files: how fine their verdicts are in time
+constexpr Hertz kSlowest{100.0}, kFastest{1e6};  // nothing beyond can be judged
 
 std::string shownRate(Hertz rate) {
   char text[32];
@@ -93,6 +94,10 @@ Status checkFormat(const std::string& path, const record::RecordingFormat& forma
     return Error{path, message("%1 samples a second are too few for vibration", shownRate(format.rate)),
                  message("at least 100 are needed; is its time not in seconds? --rate HZ gives another rate")};
   }
+  if (format.rate > kFastest) {
+    return Error{path, message("%1 samples a second are more than can be judged", shownRate(format.rate)),
+                 message("at most 1000000; is its time not in seconds? --rate HZ gives another rate")};
+  }
   return Done{};
 }
 
@@ -103,7 +108,13 @@ struct Opened {
   std::vector<LeftOutChannel> leftOut;
 };
 
-Result<Opened> openChannels(const std::string& path, const record::ReadOptions& read) {
+Status checkChannels(const std::string& path, const record::RecordingFormat& format) {
+  if (format.channels.size() <= kMaxChannels) return Done{};
+  return Error{path, message("has %1 channels, more than are judged at once", format.channels.size()),
+               message("choose at most 32 with --channel N[,N]")};
+}
+
+Result<Opened> openAll(const std::string& path, const record::ReadOptions& read) {
   auto reader = evaluate::openCut(path, read);
   if (!reader) return reader.error();
   const record::RecordingFormat& format = (*reader)->format();
@@ -132,6 +143,13 @@ Result<Opened> openChannels(const std::string& path, const record::ReadOptions& 
   auto again = evaluate::openCut(path, opened.read);
   if (!again) return again.error();
   opened.reader = std::move(again).value();
+  return opened;
+}
+
+Result<Opened> openChannels(const std::string& path, const record::ReadOptions& read) {
+  auto opened = openAll(path, read);
+  if (!opened) return opened;
+  if (const Status fits = checkChannels(path, opened->reader->format()); !fits) return fits.error();
   return opened;
 }
 

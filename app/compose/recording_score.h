@@ -19,7 +19,7 @@ struct ScoreRequest {
   std::vector<std::string> settings;  // KEY=VALUE on top of all
   int teeth = 0;                      // 0: as the truth or the recording says
   Rpm speed{};                        // likewise
-  std::function<bool(double)> goOn;   // told the part done, 0 .. 1; false: stop with an error. Empty: to the end
+  std::function<bool(double)> goOn;   // gets the fraction done, 0 .. 1; false: stop with an error. Empty: to the end
 };
 
 struct FileScore {
@@ -30,7 +30,7 @@ struct FileScore {
   std::map<std::string, std::vector<evaluate::Alarm>> alarms;
 };
 
-// Without spans of truth only the alarms are told.
+// Without spans of truth only the alarms are counted.
 Result<FileScore> scoreRecording(const std::string& path, const evaluate::RecordedTruth& truth,
                                  const ScoreRequest& request);
 

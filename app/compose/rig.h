@@ -38,7 +38,7 @@ struct RigSpec {
   config::ParamSet params;
   bool autoAllowed = false;  // Auto may be chosen at all
   std::string operatorName;  // signs what is touched during the cut; empty: "operator"
-  std::string job;           // what is being made, for recordings; empty: not told
+  std::string job;           // what is being made, for recordings; empty: not given
   Methods methods;
   bool watched = false;        // a screen reads snapshots
   bool deterministic = false;  // advance() and runToEnd() instead of start()
@@ -79,7 +79,7 @@ class Rig {
   // The same under the first free name of "cut.h5", "cut-2.h5" ...: nothing that was recorded is replaced.
   Status recordToNew(const std::string& wanted, const std::string& origin);
   // The same below `folder`, in files named by job, tool and time, as the parameters record.* say; what they let go is
-  // deleted first, and told (on the thread that records, once it runs).
+  // deleted first, and reported (on the thread that records, once it runs).
   Status recordInto(const std::string& folder, const std::string& origin,
                     std::function<void(const record::Deleted&)> told);
   // Null: nothing is recorded.

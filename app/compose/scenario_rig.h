@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/compose/rig.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "core/milling/simulation/scenario.h"
 
 namespace stillcut::app {

@@ -1,5 +1,7 @@
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 
 #include "app/compose/recording_rig.h"
@@ -19,14 +21,16 @@ bool parseRow(const std::string& line, double& t, double& rpm) {
 
 Result<std::vector<pipeline::SpeedLogSource::Point>> readSpeedLog(const std::string& path) {
   std::ifstream in(path);
-  if (!in) return Error{path, message("cannot be read")};
+  if (!in) return Error{path, message("cannot be read"), foreign(std::strerror(errno))};
   std::vector<pipeline::SpeedLogSource::Point> log;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     const std::string place = path + ":" + std::to_string(number);
     if (number == 1) {
-      if (line != "t,rpm") return Error{place, message("the header is not 't,rpm'")};
+      if (line != "t,rpm")
+        return Error{place, message("the header is not 't,rpm'"),
+                     message("a row is a time in s and a speed in rev/min")};
       continue;
     }
     if (line.empty()) continue;

@@ -1,6 +1,7 @@
 // stillcut: the desktop program.
 //   stillcut [--scenario FILE | --profile FILE] [--record FILE.h5|FOLDER] [--theme light|dark|contrast] [--size WxH]
 //            [--language en|de|zh] [--page ID] [--log-level info|warning|error|off]
+//   stillcut RECORDING                                                   beside the run, on the page for a file
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
 //   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
 //   stillcut --sheet OUT.pdf [--language en|de|zh]                       the machinist's sheet, one page to print
@@ -20,15 +21,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "app/compose/build_info.h"
-#include "app/compose/interruption.h"
+#include "app/compose/ending/interruption.h"
+#include "app/compose/ending/orderly_end.h"
 #include "app/compose/resource_folder.h"
 #include "app/desktop/report_mode.h"
 #include "app/log/program_log.h"
-#include "app/session/orderly_end.h"
 #include "app/session/session.h"
 #include "generated/version.h"
 #include "ui/base/say.h"
@@ -41,6 +44,7 @@ namespace {
 
 constexpr int kInputError = 2;
 constexpr int kInterruptionTickMs = 50;
+constexpr const char* kDemonstration = "scenarios/demonstration.toml";
 constexpr double kPictureAfter = 12.0;  // [s]: the demo has met chatter and answered it by then
 
 struct Options {
@@ -49,7 +53,7 @@ struct Options {
   bool report = false;
   bool version = false;
   bool nothingNamed = false;  // neither a scenario nor a profile: the demonstration
-  QStringList files;          // of a report
+  QStringList files;          // a recording to look at, or those of a report
   double after_s = kPictureAfter;
   QSize size{1280, 800};
   bool sizeGiven = false;
@@ -77,7 +81,7 @@ QString found(const QString& path) {
 // Longer than a screen: one row an option, and what excludes what
 Result<Options> parse(const QStringList& arguments) {
   QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral("Tells chatter before it marks the part, and what to do about it."));
+  parser.setApplicationDescription(QStringLiteral("Detects chatter in milling, and says what to do about it."));
   const QCommandLineOption scenario(QStringLiteral("scenario"), QStringLiteral("Simulated cut to run."),
                                     QStringLiteral("FILE"));
   const QCommandLineOption profile(QStringLiteral("profile"), QStringLiteral("Machine to monitor."),
@@ -108,8 +112,8 @@ Result<Options> parse(const QStringList& arguments) {
   parser.addOptions(
       {scenario, profile, record, screenshot, report, sheet, after, size, theme, page, language, logLevel});
   parser.addPositionalArgument(QStringLiteral("files"),
-                               QStringLiteral("With --report: the recording and the file to write."),
-                               QStringLiteral("[RECORDING OUT]"));
+                               QStringLiteral("A recording to look at; with --report, and the file to write."),
+                               QStringLiteral("[RECORDING [OUT]]"));
   const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
                                    QStringLiteral("Show version, commit and libraries."));
   parser.addOption(version);
@@ -125,10 +129,11 @@ Result<Options> parse(const QStringList& arguments) {
   options.sheet = parser.value(sheet);
   options.version = parser.isSet(version);
   options.files = parser.positionalArguments();
-  if (!options.report && !options.files.isEmpty()) {
-    return Error{message("command line"), message("'%1' is not understood", options.files[0].toStdString()),
-                 message("files need --report")};
+  if (!options.report && options.files.size() > 1) {
+    return Error{message("command line"), message("'%1' is not understood", options.files[1].toStdString()),
+                 message("one recording can be looked at")};
   }
+  if (!options.report && !options.files.isEmpty()) options.after_s = 0.0;  // the file is what is looked at
   if (parser.isSet(after)) {
     bool number = false;
     options.after_s = parser.value(after).toDouble(&number);
@@ -177,9 +182,29 @@ Result<Options> parse(const QStringList& arguments) {
   }
   options.nothingNamed = options.scenario.isEmpty() && options.profile.isEmpty();
   if (options.nothingNamed) {
-    options.scenario = QString::fromStdString((resourceFolder() / "scenarios/demo.toml").string());
+    options.scenario = QString::fromStdString((resourceFolder() / kDemonstration).string());
   }
   return options;
+}
+
+QString wholePath(const QString& file) {
+  return QFileInfo(file).absoluteFilePath();
+}
+
+// Shows a recording, and waits until all of it is there.
+void lookAt(Session& session, ui::MainWindow& window, const QString& file, qint64& shown_ms) {
+  constexpr auto kMain = ui::FileController::Main;
+  window.openFile(wholePath(file));
+  const auto busy = [&files = *session.files()] {
+    const bool read = files.contents(kMain) != nullptr;
+    return files.reading(kMain).running || files.answering().running || files.comparing() ||
+           (read && files.spectra(kMain) == nullptr);
+  };
+  do {
+    QApplication::processEvents(QEventLoop::AllEvents, 20);
+    shown_ms += ui::kDisplayTickMs;
+    window.tick(shown_ms);
+  } while (busy());
 }
 
 // Runs the session without waiting, ticking the window as the display would, and saves what it shows then.
@@ -196,6 +221,7 @@ int takePicture(Session& session, ui::MainWindow& window, const Options& options
     shown_ms = now_ms;
     window.tick(now_ms);
   }
+  if (!options.files.isEmpty()) lookAt(session, window, options.files.front(), shown_ms);
   // What a page computes in the background is waited for.
   while (session.lobes() != nullptr && session.lobes()->progress().state == ui::LobeProgress::State::Running) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);
@@ -247,7 +273,9 @@ Opened open(const Options& options, const QString& lastProfile, bool live) {
   }
   if (!options.profile.isEmpty()) return {openProfileSession(options.profile.toStdString(), recorded), false, {}};
   const std::string scenario = options.scenario.toStdString();
-  const bool demonstration = live && options.nothingNamed;
+  std::error_code unlike;
+  const bool chosen = std::filesystem::equivalent(scenario, resourceFolder() / kDemonstration, unlike);
+  const bool demonstration = live && (options.nothingNamed || chosen);
   return {demonstration ? openDemonstrationSession(scenario, live) : openScenarioSession(scenario, live), false,
           problem};
 }
@@ -296,7 +324,7 @@ int run(int argc, char** argv) {
 
   // Pictures are made of what the command line says alone.
   if (live) (*session)->keepStateIn(state);
-  (*session)->demonstrateWith((resourceFolder() / "scenarios/demo.toml").string());
+  (*session)->demonstrateWith((resourceFolder() / kDemonstration).string());
   (*session)->keepRecordingsIn(recordingsOf(*options));
   ui::MainWindow window(**session, options->theme, options->language);
   if (live) window.restorePlace();
@@ -314,10 +342,17 @@ int run(int argc, char** argv) {
   QObject::connect(&window, &ui::MainWindow::closed, [&end] { end.endNow(); });
   (*session)->keepFlightsIn(defaultFlightsFolder());
   // In the window's language.
-  (*session)->tell(opened.problem ? ui::sayError(*opened.problem) : last.sentence());
+  const QString notice = opened.problem ? ui::sayError(*opened.problem) : last.sentence();
+  (*session)->tell(notice);
+  const bool looking = !options->files.isEmpty();
+  if (looking) window.openFile(wholePath(options->files.front()));
   if (!options->nothingNamed || opened.lastProfile) {
     (*session)->start();
-  } else if (!window.offerGuide()) {
+    // A machine that runs is what is seen first, and so is how its last run ended; pages of work stay where they were.
+    const bool setUpBefore = window.currentPage() == QStringLiteral("setup");
+    if (!looking && options->page.isEmpty() && (setUpBefore || !notice.isEmpty()))
+      window.showPage(QStringLiteral("operate"));
+  } else if (!looking && !window.offerGuide()) {
     // Whoever has a machine is not shown another one that nobody chose.
     const bool noMachine = !opened.problem && (*session)->setup()->profiles().isEmpty();
     noMachine ? (*session)->start() : window.showPage(QStringLiteral("setup"));

@@ -1,5 +1,6 @@
 #include "app/desktop/report_mode.h"
 
+#include "app/session/file/file_judgement.h"
 #include "core/evaluate/session_summary_builder.h"
 #include "ui/report/report_files.h"
 
@@ -13,8 +14,15 @@ Status makeReport(const QStringList& files, QSize pictureSize, ui::UnitSystem un
   if (!pdf && !out.endsWith(QStringLiteral(".png")) && !out.endsWith(QStringLiteral(".svg"))) {
     return Error{out.toStdString(), message("cannot be written"), message("the suffix must be .pdf, .png or .svg")};
   }
-  const auto summary = evaluate::summarizeRecording(files[0].toStdString());
+  const std::string file = files[0].toStdString();
+  auto summary = evaluate::summarizeRecording(file);
   if (!summary) return summary.error();
+  if (!summary->session && pdf) {
+    BackgroundTask::Progress nobodyWaits;
+    const auto judged = judgeFile(file, {}, FileDetectors::Default, nobodyWaits);
+    if (!judged) return judged.error();
+    summary->answer = sentencesOf(*judged);
+  }
   return pdf ? ui::writeReport(*summary, out, units) : ui::writePicture(*summary, out, pictureSize);
 }
 

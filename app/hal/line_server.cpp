@@ -12,6 +12,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "app/hal/local_user.h"
+
 namespace stillcut::hal {
 
 LineServer::~LineServer() {
@@ -55,9 +57,30 @@ void LineServer::serve(Duration atMost, const Handlers& handlers) noexcept {
   if (entries[kClients].revents != 0) accept(handlers);
 }
 
+// A program of this computer that the list does not name is nobody's: by its address it is one of ours.
+bool LineServer::admits(const sockaddr_in& peer, const sockaddr_in& here) const noexcept {
+  try {
+    const auto user = localUser(peer, here);
+    return user ? *user == owner_ || *user == 0 : !isLoopback(peer) && peer.sin_addr.s_addr != here.sin_addr.s_addr;
+  } catch (...) {  // no memory to look it up with
+    return false;
+  }
+}
+
 void LineServer::accept(const Handlers& handlers) noexcept {
-  const int fresh = ::accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+  sockaddr_in peer{};
+  socklen_t size = sizeof peer;
+  const int fresh = ::accept4(listener_, reinterpret_cast<sockaddr*>(&peer), &size, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (fresh < 0) return;
+  sockaddr_in here{};
+  socklen_t length = sizeof here;
+  if (::getsockname(fresh, reinterpret_cast<sockaddr*>(&here), &length) != 0 || !admits(peer, here)) {
+    // At once and for good: what stays in the kernel's list makes the next look-up longer, beside the heartbeat.
+    const linger now{1, 0};
+    ::setsockopt(fresh, SOL_SOCKET, SO_LINGER, &now, sizeof now);
+    ::close(fresh);
+    return;
+  }
   // A free place has been heard at 0.
   Client& place = *std::min_element(clients_.begin(), clients_.end(),
                                     [](const Client& a, const Client& b) { return a.heard < b.heard; });

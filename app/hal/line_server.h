@@ -1,7 +1,13 @@
 // LineServer: a few TCP clients, lines in, lines out. One more than there is room for is turned away, unless one of
-// those has said nothing for a while: its cable may have been pulled.
+// those has said nothing for a while: its cable may have been pulled. Of this computer's programs only those of one
+// user are heard, and root's; the others are hung up on at once and take nobody's place. Another computer has no users
+// that could be told apart: it is heard where the server listens on a network at all.
 // Thread: one. Nothing throws after listen(); memory is bounded.
 #pragma once
+
+#include <netinet/in.h>
+#include <sys/types.h>
+#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -25,7 +31,8 @@ class LineServer {
     std::function<void(int client)> gone;
   };
 
-  explicit LineServer(const Clock& clock) : clock_(clock) {}
+  // `owner`: whose programs are heard.
+  explicit LineServer(const Clock& clock, uid_t owner = ::geteuid()) : clock_(clock), owner_(owner) {}
   ~LineServer();
   LineServer(const LineServer&) = delete;
   LineServer& operator=(const LineServer&) = delete;
@@ -43,11 +50,13 @@ class LineServer {
     cnc::LineSplitter splitter;
   };
 
+  bool admits(const sockaddr_in& peer, const sockaddr_in& here) const noexcept;
   void accept(const Handlers& handlers) noexcept;
   void hear(Client& client, const Handlers& handlers) noexcept;
   static void drop(Client& client, const Handlers& handlers) noexcept;
 
   const Clock& clock_;
+  uid_t owner_;
   int listener_ = -1, lastNumber_ = 0;
   std::array<Client, kClients> clients_;
 };

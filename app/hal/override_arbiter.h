@@ -34,11 +34,13 @@ class OverrideArbiter {
  public:
   static constexpr Duration kLease = std::chrono::milliseconds(60);
   static constexpr Duration kPatience = std::chrono::milliseconds(100);  // for the watchdog to answer an arming
-  // With halui's way home (up to 130 ms for both) within the lease of 200 ms. Measured by a program that this host may
+  // With halui's way home (up to 130 ms for both) within 300 ms. Measured by a program that this host may
   // hold up: one that takes longer is measured again.
   static constexpr Duration kLongestProof = std::chrono::milliseconds(70);
   static constexpr Duration kRetry = std::chrono::seconds(1);
-  static constexpr Duration kRestoreTime = std::chrono::milliseconds(200);  // halui takes up to 130 ms for both
+  // halui takes up to 130 ms for both, on a busy computer longer; it sends a percentage once, when it changes, so that
+  // a hand is not disturbed by knobs that are kept.
+  static constexpr Duration kRestoreTime = std::chrono::milliseconds(1000);
   // The watchdog is armed by a rising edge: a few periods of the machine's thread must have seen the pin low.
   static constexpr Duration kRest = std::chrono::milliseconds(10);
   static constexpr Duration kShortestBeat = std::chrono::milliseconds(2);

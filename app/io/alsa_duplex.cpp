@@ -140,7 +140,7 @@ class AlsaDuplexDriver final : public active::PcmDuplexDriver {
     ::snd_pcm_sw_params_get_boundary(sw, &boundary);
     ::snd_pcm_sw_params_set_start_threshold(pcm, sw, boundary);
     ::snd_pcm_sw_params_set_avail_min(pcm, sw, period);
-    if (pcm == out_) {  // an underrun plays silence, and not what the buffer held a turn ago
+    if (pcm == out_) {  // an underrun plays silence, and not what the buffer held a round ago
       ::snd_pcm_sw_params_set_silence_threshold(pcm, sw, 0);
       ::snd_pcm_sw_params_set_silence_size(pcm, sw, boundary);
     }

@@ -3,6 +3,9 @@
 #ifdef STILLCUT_COMEDI
 #include <comedilib.h>
 #endif
+#include <utility>
+
+#include "core/cnc/analog/silent_output.h"
 
 namespace stillcut::app {
 
@@ -57,5 +60,10 @@ std::unique_ptr<cnc::AnalogOutput> makeComediOutput() {
   return nullptr;
 }
 #endif
+
+std::unique_ptr<cnc::AnalogOutput> makeSilentOutput() {
+  auto card = makeComediOutput();
+  return card ? std::make_unique<cnc::SilentOutput>(std::move(card)) : nullptr;
+}
 
 }  // namespace stillcut::app

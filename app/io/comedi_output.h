@@ -10,5 +10,7 @@ namespace stillcut::app {
 
 // Null in a build without Comedi.
 std::unique_ptr<cnc::AnalogOutput> makeComediOutput();
+// The same for a trial: it is looked at and not written.
+std::unique_ptr<cnc::AnalogOutput> makeSilentOutput();
 
 }  // namespace stillcut::app

@@ -31,10 +31,11 @@ struct Service {
   bool host;                 // a setting of the link; else its map has it
   std::string_view setting;  // that takes the port, where it is not there by itself
 };
-constexpr std::array<Service, 4> kServices{{
+constexpr std::array<Service, 5> kServices{{
     {5007, "linuxcncrsh, for 'linuxcnc'", "linuxcnc", true, {}},
     {5006, "halrmt, spindle speed for 'linuxcnc'", "linuxcnc", true, {}},
     {5008, "stillcut-hal, watchdog for 'linuxcnc'", "linuxcnc", true, "hal_component_port"},
+    {5009, "stillcut-status, beside any screen, for 'linuxcnc'", "linuxcnc", true, "status_port"},
     {502, "Modbus server, for 'modbus' with a map", "modbus", false, {}},
 }};
 constexpr std::string_view kSerialPort = "serial port, for 'grbl' or 'modbus'";

@@ -16,7 +16,7 @@ namespace stillcut::app {
 
 struct SerialPort {
   std::string device;  // by the name that lasts, "/dev/serial/by-id/...", where there is one; else "/dev/ttyACM0"
-  std::string label;   // maker and product of its USB device; empty: not told
+  std::string label;   // maker and product of its USB device; empty: not given
 };
 // The name by which a port is found again wherever it is plugged in and whatever else is; where it has none, `device`.
 std::string lastingName(const std::string& device, const std::string& devices = "/dev");

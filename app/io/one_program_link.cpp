@@ -1,6 +1,7 @@
 #include "app/io/one_program_link.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
@@ -15,6 +17,9 @@
 
 namespace stillcut::app {
 namespace {
+
+// A killed program's keeper needs some 0.1 s; one whose machine does not answer goes on for longer than anybody waits.
+constexpr int kLooks = 100, kLook_ms = 20;
 
 std::string nameOf(const WireAddress& address) {
   std::string host = address.host == "localhost" || address.host == "::1" ? "127.0.0.1" : address.host;
@@ -34,7 +39,7 @@ std::string fileOf(const std::string& wire) {
 // One lock, held by an open file.
 class Lock {
  public:
-  explicit Lock(const std::string& path) {
+  Lock(const std::string& path, int owner) {
     file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
     if (file_ < 0 && errno == ENOENT) {
       file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
@@ -44,7 +49,7 @@ class Lock {
     // A file system without locks refuses everybody: no other program holds it there.
     if (file_ >= 0 && !taken_ && errno != EWOULDBLOCK) ::close(std::exchange(file_, -1));
     if (taken_ && ::ftruncate(file_, 0) == 0) {
-      const std::string process = std::to_string(::getpid());
+      const std::string process = std::to_string(owner);
       (void)!::pwrite(file_, process.data(), process.size(), 0);
     }
   }
@@ -58,6 +63,10 @@ class Lock {
   std::string holder() const {
     char process[16] = {};
     return ::pread(file_, process, sizeof process - 1, 0) > 0 ? process : "?";
+  }
+  bool holderHasDied() const {
+    const int process = std::atoi(holder().c_str());
+    return process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
   }
 
  private:
@@ -75,8 +84,9 @@ std::vector<std::string> lockFolders() {
 
 class OneProgramLink final : public cnc::CncLink {
  public:
-  OneProgramLink(std::unique_ptr<cnc::CncLink> link, std::vector<std::string> wires, std::vector<std::string> folders)
-      : link_(std::move(link)), wires_(std::move(wires)), folders_(std::move(folders)) {}
+  OneProgramLink(std::unique_ptr<cnc::CncLink> link, std::vector<std::string> wires, std::vector<std::string> folders,
+                 int owner)
+      : link_(std::move(link)), wires_(std::move(wires)), folders_(std::move(folders)), owner_(owner) {}
 
   cnc::LinkInfo describe() const override { return link_->describe(); }
   Status open() override {
@@ -93,13 +103,21 @@ class OneProgramLink final : public cnc::CncLink {
   }
 
  private:
+  // A holder who has died: his keeper is bringing the machine home, and lets go soon.
+  Lock lockOnce(const std::string& path) const {
+    for (int look = 0;; ++look) {
+      Lock lock(path, owner_);
+      if (!lock.opened() || lock.taken() || look == kLooks || !lock.holderHasDied()) return lock;
+      ::poll(nullptr, 0, kLook_ms);
+    }
+  }
   Status hold() {
     held_.clear();
     for (const std::string& wire : wires_) {
       for (const std::string& folder : folders_) {
-        Lock lock(folder + "/" + fileOf(wire));
+        Lock lock = lockOnce(folder + "/" + fileOf(wire));
         if (!lock.opened()) continue;
-        if (!lock.taken() && lock.holder() == std::to_string(::getpid())) {
+        if (!lock.taken() && lock.holder() == std::to_string(owner_)) {
           return Error{wire, message("the run that is going on holds this machine"),
                        message("its state is on the page Operate; to try the link, end the run first")};
         }
@@ -116,13 +134,14 @@ class OneProgramLink final : public cnc::CncLink {
 
   std::unique_ptr<cnc::CncLink> link_;
   std::vector<std::string> wires_, folders_;
+  int owner_;
   std::vector<Lock> held_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<cnc::CncLink>> makeOneProgramLink(std::string_view id, cnc::LinkRequest request,
-                                                         const std::string& locks) {
+                                                         const std::string& locks, int owner) {
   auto wires = std::make_shared<std::vector<std::string>>();
   const auto note = [wires](const WireAddress& address) {
     const std::string name = nameOf(address);
@@ -143,8 +162,8 @@ Result<std::unique_ptr<cnc::CncLink>> makeOneProgramLink(std::string_view id, cn
   auto link = cnc::makeLink(id, request);
   if (!link || wires->empty()) return link;
   auto folders = locks.empty() ? lockFolders() : std::vector<std::string>{locks};
-  return std::unique_ptr<cnc::CncLink>(
-      std::make_unique<OneProgramLink>(std::move(link).value(), std::move(*wires), std::move(folders)));
+  return std::unique_ptr<cnc::CncLink>(std::make_unique<OneProgramLink>(
+      std::move(link).value(), std::move(*wires), std::move(folders), owner != 0 ? owner : ::getpid()));
 }
 
 }  // namespace stillcut::app

@@ -13,8 +13,9 @@
 
 namespace stillcut::app {
 
-// cnc::makeLink(), held so. `locks`: the folder; empty: /run/lock, or the user's own.
+// cnc::makeLink(), held so. `locks`: the folder; empty: /run/lock, or the user's own. `owner`: the process it is held
+// for; 0: this one. A holder that has died may have left somebody behind who brings the machine home: he is waited for.
 Result<std::unique_ptr<cnc::CncLink>> makeOneProgramLink(std::string_view id, cnc::LinkRequest request,
-                                                         const std::string& locks = "");
+                                                         const std::string& locks = "", int owner = 0);
 
 }  // namespace stillcut::app

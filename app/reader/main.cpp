@@ -1,5 +1,5 @@
-// stillcut-reader FILE INNER OPTIONS, with a socket as standard input: reads one HDF5 file for another program of
-// Stillcut, which goes on if this one dies of it. Not started by hand.
+// stillcut-reader FILE INNER OPTIONS, with a socket as standard input: reads one HDF5 or MP3 file for another program
+// of Stillcut, which goes on if this one dies of it. Not started by hand.
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,7 +10,7 @@
 int main(int argc, char** argv) {
   constexpr int kArguments = 4;
   if (argc != kArguments) {
-    std::fputs("stillcut-reader is started by stillcut and stillcut-cli to read HDF5 files\n", stderr);
+    std::fputs("stillcut-reader is started by stillcut and stillcut-cli to read HDF5 and MP3 files\n", stderr);
     return 2;
   }
   try {

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QFileInfo>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "app/compose/active_setup.h"
@@ -62,6 +63,7 @@ void CutRun::start(const std::filesystem::path& flights, const ProgramLog& log) 
 Status CutRun::stop() {
   if (active_) active_->stop();  // its ramp is over long before the disk is
   const Status recorded = rig_->stop();
+  if (cuts_) cuts_->finish();
   const Status flown = flightLog_ ? flightLog_->finish() : Status(Done{});
   if (runLog_) runLog_->end(*rig_, recorded ? flown : recorded);
   runLog_.reset();
@@ -72,13 +74,21 @@ const Snapshot* CutRun::read() {
   live_ = rig_->read();
   if (runLog_) runLog_->look(*rig_, live_);
   if (live_ == nullptr) return nullptr;
+  takeOwnLimits(info_.limits, *rig_);
+  if (cuts_) cuts_->look(*live_);
   authority_ = live_->authority;
   if (live_->machine.link.effect.value > 0.0) effect_ = live_->machine.link.effect;
-  if (lobes_ && !lobes_->started()) {
+  if (!began_) {
     const PathHealth& health = live_->health;
-    lobes_->setStart(live_->time - toDuration(health.blockLength * static_cast<double>(health.blocks)));
+    began_ = live_->time - toDuration(health.blockLength * static_cast<double>(health.blocks));
   }
+  if (lobes_ && !lobes_->started()) lobes_->setStart(*began_);
   return live_;
+}
+
+double CutRun::vibrationWithout(Instant t) const {
+  if (!without_ || !began_) return std::numeric_limits<double>::quiet_NaN();
+  return without_->vibrationAt(secondsBetween(*began_, t));
 }
 
 void CutRun::send(const OperatorInput& input) {
@@ -86,6 +96,16 @@ void CutRun::send(const OperatorInput& input) {
   rig_->send(input);
   // Back to what was programmed is: nothing of Stillcut acts, also not through the table.
   if (input.action == OperatorAction::BackToProgrammed && active_) active_->stop();
+}
+
+std::optional<RunsLink> CutRun::linkTold() const {
+  if (!rig_->hasLink() || rig_->linkInfo().simulated) return std::nullopt;
+  const cnc::LinkInfo info = rig_->linkInfo();
+  RunsLink told{info, std::string(info.label), {}, {}, effect_};
+  if (live_ == nullptr) return told;
+  told.state = live_->machine;
+  told.age = std::max(Seconds(), secondsBetween(told.state.time, SteadyClock().now()));  // live stream time is this
+  return told;
 }
 
 bool CutRun::commandsMachine() const {
@@ -155,6 +175,8 @@ Result<std::unique_ptr<CutRun>> openSimulatedRun(const std::string& path, bool l
   run->setLobes(std::make_unique<LobeWorker>(*scenario));
   if (active::SimulatedDuplex::check(*scenario)) run->setActive(makeSimulatedActiveLoopController(*scenario, params));
   if (scenario->grantsAuto) run->send({OperatorAction::GrantBySimulation, Authority::Auto});
+  run->again = [path, live, wanted] { return openSimulatedRun(path, live, wanted); };
+  if (live && scenario->grantsAuto) run->compareWith(std::make_unique<UncontrolledCut>(*scenario));
   return run;
 }
 
@@ -202,7 +224,12 @@ Result<std::unique_ptr<CutRun>> openProfileRun(const std::string& path, Recorded
   if (recorded == Recorded::AsProfileSays) (void)run->recordAsSaid(*profile, path).ok();
   auto lobes = LobeWorker::ofProfile(*profile, path);
   if (!lobes) return lobes.error();
+  const auto cut = evidenceOf(*profile, path);
+  if (*lobes && cut) (*lobes)->learnFrom(defaultCutStore(), *cut);
   run->setLobes(std::move(lobes).value());
+  // A replay and a simulation are no cuts of the shop. What the model lacks for learning, the lobes have complained of.
+  const bool real = profile->source.id != "replay" && profile->source.id != "simulated";
+  if (real && cut && *cut) run->keepCuts(std::make_unique<EvidenceLog>(**cut, defaultCutStore()));
   return run;
 }
 

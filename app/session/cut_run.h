@@ -4,16 +4,20 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "app/compose/flight_log.h"
+#include "app/compose/learn/evidence_log.h"
 #include "app/compose/rig.h"
 #include "app/log/run_log.h"
 #include "app/session/active_loop_controller.h"
 #include "app/session/deletions.h"
+#include "app/session/demo/uncontrolled_cut.h"
 #include "app/session/lobe_worker.h"
+#include "app/session/machine_trial.h"
 #include "app/session/session_view.h"
 #include "core/config/profile.h"
 #include "ui/facade/session_info.h"
@@ -39,7 +43,15 @@ class CutRun {
   void madeFrom(std::string profile) { profile_ = origin_ = std::move(profile); }
   // The scenario file instead, for the log.
   void simulates(std::string scenario) { origin_ = std::move(scenario); }
+  // Opens the same cut once more; not set: it cannot be.
+  std::function<Result<std::unique_ptr<CutRun>>()> again;
+  // The same cut without Stillcut, to be shown beside it.
+  void compareWith(std::unique_ptr<UncontrolledCut> without) { without_ = std::move(without); }
+  // Of that one at this moment; not a number: there is none.
+  double vibrationWithout(Instant t) const;
   void setLobes(std::unique_ptr<LobeWorker> lobes) { lobes_ = std::move(lobes); }
+  // Its judged cuts go into a store, from which the lobes are learned.
+  void keepCuts(std::unique_ptr<EvidenceLog> cuts) { cuts_ = std::move(cuts); }
   void setActive(std::unique_ptr<ActiveLoopController> active) { active_ = std::move(active); }
 
   // Threads on; flight recordings go to `flights`, what happens into `log`, which outlives the run.
@@ -61,6 +73,8 @@ class CutRun {
   ActiveLoopController* active() const { return active_.get(); }  // null: the machine has none
   const Snapshot* live() const { return live_; }                  // as last read
   Seconds linkEffect() const { return effect_; }  // from an order to its effect, as last measured; 0: never
+  // What it knows of its real machine now; nothing: it has none.
+  std::optional<RunsLink> linkTold() const;
   // A real machine has been given into our authority, as last read or sent.
   bool commandsMachine() const;
   // All of the profile it was made from; of a scenario what a profile can say of it.
@@ -78,9 +92,12 @@ class CutRun {
   Deletions deletions_;
   std::unique_ptr<LobeWorker> lobes_;
   std::unique_ptr<ActiveLoopController> active_;
+  std::unique_ptr<UncontrolledCut> without_;  // null: a real cut, or nobody compares
+  std::optional<Instant> began_;              // stream time of the first sample
   const Snapshot* live_ = nullptr;
   Authority authority_ = Authority::Off;
   Seconds effect_{};
+  std::unique_ptr<EvidenceLog> cuts_;   // null: the profile does not say what is cut
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from
   std::optional<RunLog> runLog_;        // while it runs
 };

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "app/compose/known_lobes.h"
 #include "app/compose/profile_rig.h"
-#include "core/milling/stability/lobe_case.h"
+#include "app/session/lobes/lobe_limit.h"
+#include "core/milling/linear_force.h"
+#include "core/milling/stability/lobe_refine.h"
 #include "core/milling/stability/lobe_sweep.h"
 #include "ui/base/say.h"
 
@@ -17,6 +18,8 @@ namespace stillcut::app {
 namespace {
 
 constexpr int kNice = 10;                // behind the cut and the screen
+constexpr double kFinestShare = 1e-4;    // of a stretch: finer than any screen shows
+constexpr std::size_t kMostAdded = 600;  // speeds of a stretch
 constexpr std::size_t kStartsKept = 64;  // more jumps than the points on the screen are of
 
 milling::LobeMethod methodOf(ui::LobeMethodChoice method) {
@@ -29,31 +32,6 @@ milling::LobeMethod methodOf(ui::LobeMethodChoice method) {
       return milling::LobeMethod::Exact;
   }
   return milling::LobeMethod::Exact;
-}
-
-ui::LobeLimit limitOf(const milling::SpeedLimits& limits) {
-  ui::LobeLimit out;
-  out.speed = limits.speed;
-  out.limited = limits.hasLimit();
-  out.depth = limits.searchedTo;
-  if (!out.limited) return out;
-  const milling::StabilityLimit& first = limits.crossings.front();
-  out.depth = first.depth;
-  out.kind = first.kind == milling::CrossingKind::Flip ? ChatterKind::Flip : ChatterKind::Hopf;
-  out.frequency = first.frequency;
-  for (std::size_t k = 1; k < limits.crossings.size(); ++k) {
-    if (limits.crossings[k].after != 0) continue;
-    const bool last = k + 1 == limits.crossings.size();
-    out.islands.push_back({limits.crossings[k].depth, last ? limits.searchedTo : limits.crossings[k + 1].depth});
-  }
-  return out;
-}
-
-// They close exactly, which a catalogue's figures need not.
-std::vector<double> radians(std::vector<double> degrees) {
-  const double sum = std::accumulate(degrees.begin(), degrees.end(), 0.0);
-  for (double& angle : degrees) angle *= kTwoPi / sum;
-  return degrees;
 }
 
 LobeWorker::Cut cutOf(const milling::Scenario& scenario) {
@@ -71,6 +49,7 @@ LobeWorker::Cut cutOf(const milling::Scenario& scenario) {
   cut.frame.depth = Metres(programme.depth.highest(0.0));
   cut.frame.maxAxialDepth = std::max(cut.frame.depth * 2.5, Metres(0.5e-3));
   cut.frame.feedPerTooth = programme.feedPerTooth;
+  milling::lineariseForLobes(cut.model, programme.feedPerTooth);
   if (programme.depth.along == milling::Along::Time) cut.depth = programme.depth;
   return cut;
 }
@@ -92,18 +71,18 @@ ui::LobeFrame usualFrame(const milling::CutModel& model) {
   return frame;
 }
 
+LobeWorker::LobeWorker(Cut cut) : cut_(std::move(cut)), closeUps_(cut_.model, cut_.frame) {}
+
 LobeWorker::LobeWorker(const milling::Scenario& scenario) : LobeWorker(cutOf(scenario)) {}
 
 Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile& profile, const std::string& path) {
   if (profile.model.empty()) return std::unique_ptr<LobeWorker>();
-  auto loaded = milling::loadLobeCase(modelFile(profile, path));
+  auto loaded = cutOfProfile(profile, modelFile(profile, path));
   if (!loaded) return loaded.error();
   const auto reach = speedsInReach(profile, path);
   if (!reach) return reach.error();
   Cut cut;
   cut.model = std::move(loaded->model);
-  // The tool in the spindle, not the one the modes were measured with.
-  if (!profile.pitch.empty()) cut.model.tool.pitch = radians(profile.pitch);
   cut.frame = usualFrame(cut.model);
   cut.frame.name = QString::fromStdString(loaded->name);
   cut.frame.programmed = profile.cut.nominalSpeed;
@@ -117,9 +96,13 @@ Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile&
     cut.frame.lowest = std::min(cut.frame.lowest, reach->low);
     cut.frame.highest = std::max(cut.frame.highest, reach->high);
   }
-  const double perSecond = toothPassing(profile.cut.nominalSpeed, cut.model.tool.teeth).value;
-  if (perSecond > 0.0) cut.frame.feedPerTooth = Metres(profile.cut.nominalFeed.value / perSecond);
+  cut.frame.feedPerTooth = feedPerTooth(profile, cut.model.tool.teeth);
+  milling::lineariseForLobes(cut.model, cut.frame.feedPerTooth);
   return std::make_unique<LobeWorker>(std::move(cut));
+}
+
+void LobeWorker::learnFrom(const std::filesystem::path& store, const std::optional<learn::CutEvidence>& cut) {
+  learned_ = std::make_unique<LearnedWorker>(LearnedWorker::Work{cut, cut_.model, cut_.frame, store});
 }
 
 void LobeWorker::setStart(Instant start, Instant from) {
@@ -152,9 +135,7 @@ void LobeWorker::cancel() {
 
 void LobeWorker::compute(const ui::LobeQuestion& question, const std::stop_token& stop) {
   setpriority(PRIO_PROCESS, 0, kNice);  // on Linux: of this thread
-  const Rpm step = (question.to - question.from) * (1.0 / std::max(question.steps - 1, 1));
-  const auto speeds = milling::speedSteps(question.from, question.to, step, "speeds");
-  if (!speeds) return finish(ui::LobeProgress::State::Failed, ui::sayError(speeds.error()));
+  const std::vector<Rpm> speeds = milling::speedsAcross(cut_.model, question.from, question.to, question.steps);
   milling::SweepOptions options;
   options.method = methodOf(question.method);
   options.limits.maxAxialDepth = question.maxAxialDepth;
@@ -164,19 +145,44 @@ void LobeWorker::compute(const ui::LobeQuestion& question, const std::stop_token
     const std::scoped_lock lock(mutex_);
     progress_.share = share;
   };
-  const auto sweep = milling::sweepLobes(cut_.model, *speeds, options, "model", stop);
+  const auto sweep = milling::sweepLobes(cut_.model, speeds, options, "model", stop);
   if (!sweep) return finish(ui::LobeProgress::State::Failed, ui::sayError(sweep.error()));
   if (!sweep->finished) return finish(ui::LobeProgress::State::Cancelled);
-  auto diagram = std::make_shared<ui::LobeDiagram>();
-  diagram->question = question;
-  for (const milling::SpeedLimits& limits : sweep->speeds) diagram->limits.push_back(limitOf(limits));
-  for (const Message& warning : sweep->warnings) diagram->warnings << ui::sayCore(warning);
-  {
-    const std::scoped_lock lock(mutex_);
-    diagram->number = ++answers_;
-    diagram_ = std::move(diagram);
+  tell(question, *sweep);
+  refine(question, *sweep, options, stop);
+}
+
+// Where the question is before where nobody cuts.
+void LobeWorker::refine(const ui::LobeQuestion& question, milling::LobeSweep sweep, milling::SweepOptions options,
+                        const std::stop_token& stop) {
+  options.progress = {};
+  std::vector<std::pair<Rpm, Rpm>> stretches{{question.from, question.to}};
+  if (cut_.frame.reachHigh > cut_.frame.reachLow)
+    stretches.insert(stretches.begin(), {cut_.frame.reachLow, cut_.frame.reachHigh});
+  for (const auto& [from, to] : stretches) {
+    milling::RefineOptions fine;
+    fine.from = from;
+    fine.to = to;
+    fine.finest = std::max(Rpm(1.0), (to - from) * kFinestShare);
+    fine.edgesAt = cut_.frame.depth;
+    fine.mostSpeeds = sweep.speeds.size() + kMostAdded;
+    auto finer = milling::refineLobes(sweep, cut_.model, options, fine, "model", stop);
+    if (!finer) return finish(ui::LobeProgress::State::Failed, ui::sayError(finer.error()));
+    if (!finer->finished) return finish(ui::LobeProgress::State::Cancelled);
+    sweep = std::move(*finer);
+    tell(question, sweep);
   }
   finish(ui::LobeProgress::State::Done);
+}
+
+void LobeWorker::tell(const ui::LobeQuestion& question, const milling::LobeSweep& sweep) {
+  auto diagram = std::make_shared<ui::LobeDiagram>();
+  diagram->question = question;
+  for (const milling::SpeedLimits& limits : sweep.speeds) diagram->limits.push_back(lobeLimit(limits));
+  for (const Message& warning : sweep.warnings) diagram->warnings << ui::sayCore(warning);
+  const std::scoped_lock lock(mutex_);
+  diagram->number = ++answers_;
+  diagram_ = std::move(diagram);
 }
 
 void LobeWorker::finish(ui::LobeProgress::State state, const QString& problem) {

@@ -7,10 +7,13 @@
 
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
+#include "app/io/alsa_driver.h"
 #include "app/io/find_machines.h"
+#include "app/io/iio_driver.h"
 #include "app/session/machine_trial.h"
 #include "app/session/sensor_trial.h"
 #include "app/session/session_view.h"
+#include "app/session/tool_cut.h"
 #include "app/session/tool_library.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
@@ -18,6 +21,7 @@
 #include "core/detect/registry.h"
 #include "core/pipeline/catalog.h"
 #include "core/session/record_params.h"
+#include "core/storage/atomic_file.h"
 #include "ui/base/say.h"
 
 namespace stillcut::app {
@@ -64,12 +68,16 @@ bool MachineSetup::poll() {
   auto steps = steps_.take();
   linkTest_.steps.insert(linkTest_.steps.end(), steps.begin(), steps.end());
   bool changed = opened || !steps.empty();
-  for (BackgroundTask* task : {&task_, &asking_, &searching_, &testing_}) changed = task->collect() || changed;
+  for (BackgroundTask* task : {&task_, &asking_, &searching_, &testing_, &looking_})
+    changed = task->collect() || changed;
   return changed;
 }
 
 std::vector<ui::ComponentOption> MachineSetup::sources() const {
-  return options(daq::sourceTable());
+  auto all = options(daq::sourceTable());
+  // What hits a tool is for the page Tap test; no cut is heard with it.
+  std::erase_if(all, [](const ui::ComponentOption& source) { return source.id == QLatin1String("simulated-hammer"); });
+  return all;
 }
 
 std::vector<ui::ComponentOption> MachineSetup::links() const {
@@ -135,6 +143,17 @@ Result<config::Profile> MachineSetup::load(const QString& name) const {
   return config::loadProfile(profileFile(name), pipeline::fullCatalog(), knownIds());
 }
 
+QStringList MachineSetup::devices() const {
+  QStringList names = profiles();
+  if (const auto begun = withDevice({}); begun && !begun->source.id.empty()) names.prepend(QString());
+  return names;
+}
+
+Result<config::Profile> MachineSetup::withDevice(const QString& name) const {
+  if (!name.isEmpty()) return load(name);
+  return withScenario(keptDraft().value_or(draft()));
+}
+
 Result<QString> MachineSetup::save(const config::Profile& profile, const QString& name) {
   if (folder_.isEmpty()) return Error{message("profile"), message("there is no folder to keep it in")};
   const bool sayable = !name.isEmpty() && !name.contains(u'/') && !name.startsWith(u'.');
@@ -163,6 +182,12 @@ config::Profile MachineSetup::withDelays(config::Profile profile) const {
   put(tried_);
   if (measured) put(measured());
   return profile;
+}
+
+// What the run tells of this very link; nothing: the run has another, or none.
+std::optional<RunsLink> MachineSetup::heldByRun(const config::Profile& profile) const {
+  if (!linkTold || !measured || !sameLink(measured().link, profile.link)) return std::nullopt;
+  return linkTold();
 }
 
 std::string MachineSetup::profileFileOrNew(const QString& name) const {
@@ -205,6 +230,29 @@ void MachineSetup::knock(const config::Profile& profile, const QString& name, in
   });
 }
 
+// A sound card is opened to be asked what it can, which takes a moment.
+void MachineSetup::lookForDevices() {
+  if (looking_.state().running) return;
+  looking_.start(ui::TaskState::What::None, {}, [this](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+    std::vector<ui::FoundDevice> found;
+    for (const daq::PcmDevice& card : alsaDevices()) {
+      found.push_back({viewText(card.label.empty() ? card.name : card.label),
+                       viewText(card.range),
+                       {"alsa", {{"device", card.name}}},
+                       {"microphone", SensorQuantity::Sound, 1.0, ""}});
+    }
+    if (const auto iio = iioDevices("local:")) {
+      for (const daq::PcmDevice& device : *iio) {
+        found.push_back({viewText(device.label.empty() ? device.name : device.label),
+                         viewText(device.range),
+                         {"iio", {{"device", device.name}}},
+                         {"x", SensorQuantity::Acceleration, 1.0, "x"}});
+      }
+    }
+    return BackgroundTask::Apply([this, found = std::move(found)] { devicesHere_ = found; });
+  });
+}
+
 void MachineSetup::findMachines(const QString& typed) {
   search_ = {true, false, {}, {}};
   searching_.start(
@@ -230,6 +278,12 @@ void MachineSetup::findMachines(const QString& typed) {
 void MachineSetup::testLink(const config::Profile& profile, const QString& name) {
   testing_.cancel();
   steps_.take();
+  if (const auto run = heldByRun(profile)) {
+    const bool good = run->state.valid;
+    linkTest_ = {good ? ui::LinkTest::State::Good : ui::LinkTest::State::Bad, linkAsRunTells(*run)};
+    if (good) tried_ = {profile.link, run->state.link.roundTrip, {}};
+    return;
+  }
   linkTest_ = {ui::LinkTest::State::Runs, {}};
   testing_.start(
       ui::TaskState::What::None, {},
@@ -255,12 +309,13 @@ void MachineSetup::tryOut(const config::Profile& profile, const QString& name) {
   trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Runs, {}}};
   task_.start(
       ui::TaskState::What::None, {},
-      [this, profile = withScenario(profile),
+      [this, profile = withScenario(profile), run = heldByRun(profile),
        path = profileFileOrNew(name)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-        return BackgroundTask::Apply([this, link = profile.link, tried = tryProfile(profile, path)] {
-          trial_ = tried.steps;
-          tried_ = {link, tried.look, {}};
-        });
+        return BackgroundTask::Apply(
+            [this, link = profile.link, tried = tryProfile(profile, path, run ? &*run : nullptr)] {
+              trial_ = tried.steps;
+              tried_ = {link, tried.look, {}};
+            });
       },
       [this](const Error& error) {
         trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Bad, ui::sayError(error)}};
@@ -285,8 +340,8 @@ void MachineSetup::keepDraft(const config::Profile& profile) {
   if (folder_.isEmpty()) return;
   std::error_code problem;
   std::filesystem::create_directories(folder_.toStdString(), problem);
-  (void)config::saveProfile(profile, pipeline::fullCatalog(), draftFile())
-      .ok();  // SAVE tells why a disk does not take it
+  // SAVE tells why a disk does not take it.
+  (void)writeFileAtomically(draftFile(), config::profileText(profile, pipeline::fullCatalog())).ok();
 }
 
 std::optional<config::Profile> MachineSetup::keptDraft() const {
@@ -303,6 +358,25 @@ Status MachineSetup::startDemonstration() {
 Result<std::vector<ui::ToolEntry>> MachineSetup::tools() const {
   if (folder_.isEmpty()) return std::vector<ui::ToolEntry>();
   return loadTools(QDir(folder_).filePath(QStringLiteral("tools.toml")).toStdString());
+}
+
+// As a profile finds it, which names it beside itself.
+std::string MachineSetup::besideProfiles(const QString& file) const {
+  return QDir(QDir(folder_).filePath(QStringLiteral("profiles"))).absoluteFilePath(file).toStdString();
+}
+
+Result<QString> MachineSetup::cutFile(const ui::ToolEntry& tool) {
+  const std::string modes = besideProfiles(tool.modes);
+  if (!holdsModesAlone(modes)) return tool.modes;
+  if (folder_.isEmpty()) return Error{message("tools"), message("there is no folder to keep them in")};
+  const QString path = QDir(QDir(folder_).filePath(QStringLiteral("cuts"))).absoluteFilePath(fileNameOf(tool.name));
+  if (const Status written = writeCut(tool, modes, path.toStdString()); !written) return written.error();
+  return path;
+}
+
+Status MachineSetup::checkToolFile(const QString& file, ToolFile kind) const {
+  const std::string path = besideProfiles(file);
+  return kind == ToolFile::Modes ? checkModesFile(path) : checkResponseFile(path);
 }
 
 Status MachineSetup::saveTools(const std::vector<ui::ToolEntry>& tools) {

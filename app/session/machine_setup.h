@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,15 @@ class MachineSetup final : public ui::SetupController {
   std::function<Status(const std::string& profile)> begin;
   std::function<Status()> beginDemonstration;
   std::function<LinkDelays()> measured;                  // by the run
+  std::function<std::optional<RunsLink>()> linkTold;     // of the run's real machine; nothing: it has none
   std::function<std::vector<ui::JoinedClock>()> clocks;  // of the run's device
   std::function<ui::RecordingNow()> recorded;            // by the run
   std::string inForce;                                   // file of the profile that runs; empty: none
+
+  // Profiles that name a device, for whoever listens to one without a cut: "" is what is being put together.
+  QStringList devices() const;
+  Result<config::Profile> withDevice(const QString& name) const;
+  std::string profileFileOrNew(const QString& name) const;
 
   bool poll() override;
   std::vector<ui::ComponentOption> sources() const override;
@@ -51,6 +58,8 @@ class MachineSetup final : public ui::SetupController {
   config::Profile draft() const override { return running ? running() : config::Profile(); }
   void keepDraft(const config::Profile& profile) override;
   std::optional<config::Profile> keptDraft() const override;
+  void lookForDevices() override;
+  const std::vector<ui::FoundDevice>& devicesHere() const override { return devicesHere_; }
   void listen(const config::Profile& profile, const QString& name) override;
   void stopPreview() override { listener_.stop(); }
   ui::DevicePreview heard() override;
@@ -69,12 +78,15 @@ class MachineSetup final : public ui::SetupController {
   Status start(const QString& name) override;
   Status startDemonstration() override;
   Result<std::vector<ui::ToolEntry>> tools() const override;
+  Result<QString> cutFile(const ui::ToolEntry& tool) override;
+  Status checkToolFile(const QString& file, ToolFile kind) const override;
   Status saveTools(const std::vector<ui::ToolEntry>& tools) override;
 
  private:
   void ask(std::function<ui::SensorTrial(const std::atomic<bool>& ended)> sensors);
+  std::optional<RunsLink> heldByRun(const config::Profile& profile) const;
   std::string profileFile(const QString& name) const;
-  std::string profileFileOrNew(const QString& name) const;
+  std::string besideProfiles(const QString& file) const;
   config::Profile withDelays(config::Profile profile) const;
   std::string draftFile() const;
 
@@ -83,9 +95,10 @@ class MachineSetup final : public ui::SetupController {
   LinkDelays tried_;
   ui::SensorTrial sensorTrial_;
   ui::MachineSearch search_;
+  std::vector<ui::FoundDevice> devicesHere_;
   ui::LinkTest linkTest_;
   LinkStepBox steps_;  // of the test that runs
-  BackgroundTask task_, asking_, searching_, testing_;
+  BackgroundTask task_, asking_, searching_, testing_, looking_;
   DevicePreviewRunner listener_;
 };
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/compose/profile_rig.h"
-#include "app/io/one_program_link.h"
+#include "app/io/kept_link.h"
 #include "core/base/time.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
@@ -77,34 +77,50 @@ class Steps {
   std::vector<ui::TrialStep> steps_;
 };
 
-// The same steps and sentences as on the command line: the first is the link's, what follows the machine's.
+// The first is the link's, what follows the machine's.
+void showSteps(const std::vector<cnc::LinkTrialStep>& taken, Steps& steps) {
+  QStringList said;
+  for (const cnc::LinkTrialStep& step : taken) {
+    const What what = &step == &taken.front() ? What::Link : What::Machine;
+    if (!step.good) return steps.bad(what, ui::sayCore(step.said));
+    if (what == What::Machine) said << ui::sayCore(step.said);
+    steps.good(what, what == What::Link ? ui::sayCore(step.said) : said.join(QStringLiteral("\n")));
+  }
+}
+
+// The same steps and sentences as on the command line.
 // `effect`: how long an order took to act in the last run; 0: none was seen.
 Seconds tryLink(cnc::CncLink& link, const Clock& clock, Seconds effect, Steps& steps) {
   cnc::LinkTrial trial(link, clock);
   trial.proved(effect);
-  QStringList said;
   while (trial.next()) {
-    const cnc::LinkTrialStep& step = trial.steps().back();
-    const What what = trial.steps().size() == 1 ? What::Link : What::Machine;
-    if (!step.good) {
-      steps.bad(what, ui::sayCore(step.said));
-      return {};
-    }
-    if (what == What::Link) {
-      steps.good(what, ui::sayCore(step.said));
-    } else {
-      steps.good(what, (said << ui::sayCore(step.said)).join(QStringLiteral("\n")));
-    }
   }
+  showSteps(trial.steps(), steps);
+  if (!trial.passed()) return {};
   return trial.look();
 }
 
 }  // namespace
 
+std::vector<cnc::LinkTrialStep> RunsLink::steps() const {
+  cnc::LinkInfo named = info;
+  named.label = label;
+  return cnc::LinkTrial::ofRun(named, state, age, effect);
+}
+
+std::vector<ui::LinkTest::Step> linkAsRunTells(const RunsLink& run) {
+  std::vector<ui::LinkTest::Step> told;
+  for (const cnc::LinkTrialStep& step : run.steps()) {
+    told.push_back({text(step.what), ui::sayCore(step.said), step.good});
+  }
+  return told;
+}
+
 Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps,
                   const std::atomic<bool>& toEnd) {
   const SteadyClock clock;
-  auto link = makeOneProgramLink(profile.link.id, linkRequest(profile, path, clock, AnalogOutputs::LeftAlone));
+  auto link = makeKeptLink(profile.link.id, linkRequest(profile, path, clock, AnalogOutputs::LeftAlone),
+                           AnalogOutputs::LeftAlone);
   if (!link) {
     steps.put({QStringLiteral("Settings"), ui::sayError(link.error()), false});
     return {};
@@ -118,7 +134,7 @@ Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkS
   return trial.passed() ? trial.look() : Seconds();
 }
 
-ProfileTrial tryProfile(const config::Profile& profile, const std::string& path) {
+ProfileTrial tryProfile(const config::Profile& profile, const std::string& path, const RunsLink* run) {
   Steps steps;
   if (profile.link.id.empty()) {
     steps.leaveOut(What::Link);
@@ -150,6 +166,10 @@ ProfileTrial tryProfile(const config::Profile& profile, const std::string& path)
     return {steps.take(), {}};
   }
   if (!parts->link) return {steps.take(), {}};
+  if (run != nullptr) {
+    showSteps(run->steps(), steps);
+    return {steps.take(), run->state.valid ? run->state.link.roundTrip : Seconds()};
+  }
   const Seconds effect = cnc::savedDelay(profile.link.settings, cnc::kSavedEffect);
   const Seconds look = tryLink(*parts->link, *parts->clock, effect, steps);
   return {steps.take(), look};

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/cnc/cnc_link.h"
+#include "core/cnc/link_trial.h"
 #include "core/config/profile.h"
 #include "ui/facade/setup_controller.h"
 
@@ -19,7 +21,20 @@ struct ProfileTrial {
   Seconds look{};  // how long one at the machine takes; 0: its link has not passed
 };
 
-ProfileTrial tryProfile(const config::Profile& profile, const std::string& path);
+// What the run that holds a machine tells of it. A second program, or a second connection of this one, would be one too
+// many for some machines: a trial of this link asks the run.
+struct RunsLink {
+  cnc::LinkInfo info;  // but for its label, which goes with the run
+  std::string label;
+  MachineState state;
+  Seconds age{};     // of the state
+  Seconds effect{};  // from an order to its effect; 0: none was seen
+
+  std::vector<cnc::LinkTrialStep> steps() const;
+};
+
+// `run`: holds this very link; null: none does.
+ProfileTrial tryProfile(const config::Profile& profile, const std::string& path, const RunsLink* run = nullptr);
 
 // Steps on their way from the thread that takes them to the one that shows them.
 class LinkStepBox {
@@ -39,7 +54,11 @@ class LinkStepBox {
   std::vector<ui::LinkTest::Step> steps_;
 };
 
-// The profile's link alone. How long a look at the machine takes; 0: it has not passed, or `toEnd` was set before.
+// The link alone, as the run tells. At once.
+std::vector<ui::LinkTest::Step> linkAsRunTells(const RunsLink& run);
+
+// The profile's link alone, held by nobody. How long a look at the machine takes; 0: it has not passed, or `toEnd` was
+// set before.
 Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps,
                   const std::atomic<bool>& toEnd);
 

@@ -7,6 +7,8 @@
 namespace stillcut::app {
 namespace {
 
+constexpr int kRecordingsTried = 5;  // with other limits, on the page Tune
+
 // Of what was on the screen.
 bool isAnswer(OperatorAction action) {
   switch (action) {
@@ -44,12 +46,19 @@ Session::Session(std::unique_ptr<CutRun> run) : run_(std::move(run)) {
   tuning_.replayShown = [this] { return shown(); };
   tuning_.profile = [this] { return run_->profilePath(); };
   tuning_.folder = [this] { return stateFolder_; };
+  tuning_.recordings = [this] { return replays_.newest(kRecordingsTried); };
   tuning_.openCut(run_->rig().params());
   machine_.inForce = run_->profilePath();
   machine_.running = [this] { return run_->asProfile(); };
   machine_.measured = [this] { return LinkDelays{run_->asProfile().link, {}, run_->linkEffect()}; };
+  machine_.linkTold = [this] { return run_->linkTold(); };
   machine_.recorded = [this] { return run_->recordingNow(); };
   machine_.clocks = [this] { return joinedClocks(run_->rig().device()); };
+  tap_.profiles = [this] { return machine_.devices(); };
+  tap_.profile = [this](const QString& name) { return machine_.withDevice(name); };
+  tap_.profilePath = [this](const QString& name) { return machine_.profileFileOrNew(name); };
+  tap_.library = [this] { return machine_.tools(); };
+  tap_.keepLibrary = [this](const std::vector<ui::ToolEntry>& tools) { return machine_.saveTools(tools); };
   machine_.begin = [this](const std::string& path) -> Status {
     if (Status whole = checkProfileRun(path); !whole) return whole;
     return switchTo(opening(path));
@@ -117,6 +126,12 @@ Status Session::switchTo(const Opening& open) {
     return Error{error.where, error.what, message("%1; the machine before runs again, authority is Off", error.why)};
   }
   return Error{error.where, error.what, message("%1; the cut before has been stopped", error.why)};
+}
+
+// From a copy: the run that holds it goes.
+Status Session::runAgain() {
+  if (!mayRunAgain()) return Error{message("run"), message("cannot be run again")};
+  return switchTo(Opening(run_->again));
 }
 
 void Session::place(std::unique_ptr<CutRun> next) {

@@ -9,10 +9,13 @@
 
 #include "app/log/program_log.h"
 #include "app/session/cut_run.h"
+#include "app/session/file/file_controller.h"
 #include "app/session/last_run.h"
+#include "app/session/lobes/entered_cut.h"
 #include "app/session/machine_setup.h"
 #include "app/session/replay/replay_controller.h"
 #include "app/session/session_tuning.h"
+#include "app/session/tap/tap_bench.h"
 #include "ui/shell/session_facade.h"
 
 namespace stillcut::ui {
@@ -34,6 +37,7 @@ class Session final : public ui::SessionFacade {
   void keepStateIn(const QString& folder) {
     stateFolder_ = folder;
     machine_.keepIn(folder);
+    tap_.keepIn(folder);
     last_ = LastRun(folder);
   }
   // Something that whoever sits down at the screen should know, until a touch of his shows that he is there.
@@ -68,11 +72,17 @@ class Session final : public ui::SessionFacade {
   ui::RecorderView recorder() const override { return run_->recorder(); }
   ui::LinkStatus link() const override;
   ui::LobeService* lobes() override { return shown() ? replays_.lobes() : run_->lobes(); }
+  double vibrationWithout(Instant t) override { return run_->vibrationWithout(t); }
+  bool mayRunAgain() const override { return run_->again && run_->rig().finished(); }
+  Status runAgain() override;
+  ui::LobeEntryController* lobeEntry() override { return &entered_; }
   QString stateFolder() const override { return stateFolder_; }
   ui::Tuning* tuning() override { return &tuning_; }
   ui::SessionController* sessions() override { return &replays_; }
+  ui::FileController* files() override { return &files_; }
   ui::ActiveController* active() override { return run_->active(); }
   ui::SetupController* setup() override { return &machine_; }
+  ui::TapController* tap() override { return &tap_; }
 
  private:
   bool shown() const { return replays_.shownEverywhere() && replays_.rig() != nullptr; }
@@ -89,7 +99,10 @@ class Session final : public ui::SessionFacade {
   ProgramLog log_;  // outlives the run
   std::unique_ptr<CutRun> run_;
   ReplayController replays_;
+  DeskFileController files_;
   MachineSetup machine_;
+  TapBench tap_;
+  EnteredCutLobes entered_;
   SessionTuning tuning_;
   std::uint32_t runs_ = 0;  // placed before this one
   std::filesystem::path flights_;

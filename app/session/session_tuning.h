@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/compose/rig.h"
+#include "app/session/sensitivity_runs.h"
 #include "core/model/rule_tables.h"
 #include "ui/models/tune/tuning.h"
 
@@ -22,6 +23,8 @@ class SessionTuning final : public ui::Tuning {
   // Where changed values are kept: the profile of the run, empty: none; the folder for a file of parameters otherwise.
   std::function<std::string()> profile;
   std::function<QString()> folder;
+  // The newest recordings, newest first.
+  std::function<std::vector<std::string>()> recordings;
 
   // Another cut, or another recording; what was set for the one before is over. beginReplayAgain(): the same recording
   // from its beginning, with what was set.
@@ -42,6 +45,10 @@ class SessionTuning final : public ui::Tuning {
   std::vector<ui::AutoReading> ownNow(const ui::TunableComponent& part) override;
   ui::TuningController& controller() override { return replayShown() ? replay_ : cut_; }
   Result<QString> saveValues(const config::ParamSet& values) override;
+  void tryOnRecordings(const QString& detector, const QStringList& settings) override {
+    trials_.start(recordings ? recordings() : std::vector<std::string>(), detector.toStdString(), settings);
+  }
+  ui::SensitivityTrial trial() override { return trials_.collect(); }
 
  private:
   void take(ui::TuningController& from,
@@ -53,6 +60,7 @@ class SessionTuning final : public ui::Tuning {
   mutable std::vector<ui::TunableComponent> parts_;  // of the generation partsOf_
   mutable std::optional<std::uint32_t> partsOf_;
   RuleTables rules_;  // as last read
+  SensitivityRuns trials_;
 };
 
 }  // namespace stillcut::app

@@ -1,5 +1,6 @@
 #include "app/session/session_view.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/detect/caliskan/energy_ratio.h"
@@ -26,6 +27,7 @@ ui::SessionInfo sessionInfo(const Rig& rig) {
     info.linkLabel = viewText(link.label);
     info.simulatedMachine = link.simulated;
     info.machineWatchdog = link.machineWatchdog;
+    info.kept = link.kept;
   }
   const config::ParamSet& params = rig.params();
   info.limits.energyRatio = params.real(detect::kErChatter);
@@ -41,6 +43,17 @@ ui::SessionInfo sessionInfo(const Rig& rig) {
 void takeLimit(ui::LimitMarks& limits, const config::ParamDecl& decl, double value) {
   if (decl.key == detect::kErChatter.key) limits.energyRatio = value;
   if (decl.key == detect::kCohGammaRef.key) limits.coherence = value;
+}
+
+void takeOwnLimits(ui::LimitMarks& limits, const Rig& rig) {
+  for (const auto& detector : rig.chain().parts().detectors) {
+    const detect::AutoValueTable table = detector->autoValues();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      if (table[i].key != "energy-ratio.full") continue;
+      const double own = detector->own(i).value;
+      if (std::isfinite(own) && own > 0.0) limits.energyRatio = own;
+    }
+  }
 }
 
 }  // namespace stillcut::app

@@ -4,6 +4,10 @@
 
 #include "core/config/toml_reader.h"
 #include "core/config/toml_writer.h"
+#include "core/milling/identify/modal_measurement.h"
+#include "core/milling/identify/model_files.h"
+#include "core/milling/stability/lobe_case.h"
+#include "core/session/open_recording.h"
 
 namespace stillcut::app {
 namespace {
@@ -36,11 +40,19 @@ Result<std::vector<ui::ToolEntry>> loadTools(const std::string& path) {
     tool.pitch = read(table, "pitch");
     tool.modes = read(table, "modes");
     tool.highestSpeed_rpm = table.numberOr("highest_speed_rpm", 0.0, 0.0, 200000.0);
+    tool.lowestSpeed_rpm = table.numberOr("lowest_speed_rpm", 0.0, 0.0, 200000.0);
+    tool.stickOut_mm = table.numberOr("stick_out_mm", 0.0, 0.0, 10000.0);
+    tool.deepest_mm = table.numberOr("deepest_mm", 0.0, 0.0, 1000.0);
+    tool.material = read(table, "material");
+    tool.response = read(table, "response");
     tool.notes = read(table, "notes");
     for (const config::TomlTable& note : table.tablesOr("chattered")) {
       tool.chattered.push_back({note.numberOr("speed_rpm", 0.0, 0.0, 200000.0),
                                 note.numberOr("depth_mm", 0.0, 0.0, 1000.0),
                                 note.numberOr("frequency_hz", 0.0, 0.0, 100000.0), read(note, "note")});
+    }
+    for (const config::TomlTable& event : table.tablesOr("history")) {
+      tool.history.push_back({read(event, "day"), read(event, "what")});
     }
     tools.push_back(std::move(tool));
   }
@@ -61,6 +73,11 @@ Status saveTools(const std::vector<ui::ToolEntry>& tools, const std::string& pat
     optional(out, "pitch", tool.pitch);
     optional(out, "modes", tool.modes);
     if (tool.highestSpeed_rpm > 0.0) out.number("highest_speed_rpm", tool.highestSpeed_rpm);
+    if (tool.lowestSpeed_rpm > 0.0) out.number("lowest_speed_rpm", tool.lowestSpeed_rpm);
+    if (tool.stickOut_mm > 0.0) out.number("stick_out_mm", tool.stickOut_mm);
+    if (tool.deepest_mm > 0.0) out.number("deepest_mm", tool.deepest_mm);
+    optional(out, "material", tool.material);
+    optional(out, "response", tool.response);
     optional(out, "notes", tool.notes);
     for (const ui::ChatterNote& note : tool.chattered) {
       out.arrayElement("tool.chattered");
@@ -69,10 +86,36 @@ Status saveTools(const std::vector<ui::ToolEntry>& tools, const std::string& pat
       if (note.frequency_hz > 0.0) out.number("frequency_hz", note.frequency_hz);
       optional(out, "note", note.note);
     }
+    for (const ui::ToolEvent& event : tool.history) {
+      out.arrayElement("tool.history");
+      out.text("day", event.day.toStdString());
+      out.text("what", event.what.toStdString());
+    }
   }
   std::error_code problem;
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(), problem);
   return out.save(path);
+}
+
+Status checkModesFile(const std::string& path) {
+  const auto cut = milling::loadLobeCase(path);
+  if (cut) return Done{};
+  const auto modes = identify::loadModes(path);
+  if (modes) return Done{};
+  // Of a whole cut its own fault is told, of anything else that it holds no modes.
+  const bool whole =
+      path.ends_with(".json") || (std::filesystem::exists(path) && config::TomlReader::file(path).root().has("tool"));
+  return whole ? cut.error() : modes.error();
+}
+
+Status checkResponseFile(const std::string& path) {
+  identify::ModalRequest request;
+  request.import.open = [](const std::string& file, const record::ReadOptions& options) {
+    return record::openRecording(file, options);
+  };
+  const auto measured = identify::measureResponses({path}, request);
+  if (!measured) return measured.error();
+  return Done{};
 }
 
 }  // namespace stillcut::app

@@ -1,6 +1,9 @@
 // The shop's tools in one TOML file of the user's data folder. Thread: GUI; small file.
-//   [[tool]]  name, holder, teeth, diameter_mm, pitch, modes, highest_speed_rpm, notes
+//   [[tool]]  name, holder, teeth, diameter_mm, pitch, modes, material, response, stick_out_mm, deepest_mm,
+//   lowest_speed_rpm,
+//             highest_speed_rpm, notes
 //   [[tool.chattered]]  speed_rpm, depth_mm, frequency_hz, note      "chattered here before"
+//   [[tool.history]]  day, what
 #pragma once
 
 #include <string>
@@ -15,5 +18,10 @@ namespace stillcut::app {
 Result<std::vector<ui::ToolEntry>> loadTools(const std::string& path);
 // Whole or not at all.
 Status saveTools(const std::vector<ui::ToolEntry>& tools, const std::string& path);
+
+// Whether a file holds modes, alone or in a whole cut; or a frequency response, or hammer records that give one. One
+// line where it does not.
+Status checkModesFile(const std::string& path);
+Status checkResponseFile(const std::string& path);
 
 }  // namespace stillcut::app

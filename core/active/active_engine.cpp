@@ -31,7 +31,7 @@ std::array<AxisOptions, kActiveAxes> axisOptions(const ActiveEngineOptions& opti
     axes[a] = {options.controller, paths[a].model, options.limits[a], options.lines, {}};
     axes[a].controller.emphasis.lines = options.lines;
     axes[a].online.rms = options.auxiliary * options.limits[a].amplitude;
-    axes[a].online.seed += a;  // two axes that hear each other need noises that do not know each other
+    axes[a].online.seed += a;  // two axes that reach each other need uncorrelated noises
   }
   return axes;
 }
@@ -107,7 +107,7 @@ bool ActiveEngine::busy() const {
 Status ActiveEngine::identify() {
   if (!isOpen()) return refused(message("the device does not run"), message("open it first"));
   if (busy()) return refused(message("cannot identify while the table moves"), message("stop it first"));
-  if (ActiveLoop* loop = loop_.load(); loop != nullptr) loop->release();  // also of a start not yet heard
+  if (ActiveLoop* loop = loop_.load(); loop != nullptr) loop->release();  // also of a start not yet taken
   auto recorder = std::make_unique<PathRecorder>();
   if (Status ok = recorder->prepare(options_.record, options_.limits, format_.rate); !ok) return ok;
   // What is identified anew is no longer trusted as it was.

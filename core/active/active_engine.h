@@ -1,5 +1,5 @@
 // ActiveEngine: the loop of the active work-holder on its device, with a thread of its own: identifies, controls, and
-// tells what it does. A start is refused without a valid model, with one too old, one that promises no stability, and
+// tells what it does. A start is refused without a valid model, with one too old, one without phase margin, and
 // after the device was opened anew or may have become later. Whatever the device loses makes the output zero and is
 // counted. The owner renews the lease of the gates, at least every half second: when it stands still, the table is let
 // go after a second of the device's time. Thread: one owner for everything; fit() may be called on another while
@@ -30,7 +30,7 @@ struct ActiveEngineOptions {
   RecordRequest record;
   PathRequest path;
   Seconds oldestModel{3600.0};
-  double auxiliary = 0.0;  // rms of the noise for on-line identification, as a share of the stroke; 0: off
+  double auxiliary = 0.0;  // rms of the noise for on-line identification, as a fraction of the stroke; 0: off
 };
 
 using PathPairFound = std::array<IdentifiedPath, kActiveAxes>;

@@ -21,7 +21,7 @@ struct AxisOptions {
   FxlmsOptions controller;
   PathModel path;
   safety::ActuatorLimits limits;
-  std::vector<Hertz> lines;  // whose attenuation is told
+  std::vector<Hertz> lines;  // whose attenuation is reported
   OnlineOptions online;      // off unless its rms is above 0
 };
 

@@ -24,10 +24,10 @@ constexpr ParamDecl kTaps = locked(integerParam("active.taps", "Taps", 35, 1, kM
                                                 "Length of the adaptive filter of each axis (Ford 2013 table 3: 35)"));
 constexpr ParamDecl kStep =
     realParam("active.step", "Step", "", 0.02, 0.0, 1.0,
-              "Adaptation step mu; while 'normalised' is on, as a share of the largest stable step");
+              "Adaptation step mu; while 'normalised' is on, as a fraction of the largest stable step");
 constexpr ParamDecl kNormalised =
     locked(booleanParam("active.normalised", "Normalised", true,
-                        "Take the step as a share of the bound that follows the power of the filtered reference"));
+                        "Take the step as a fraction of the bound that follows the power of the filtered reference"));
 constexpr ParamDecl kLeak = realParam("active.leak", "Leak", "", 1.0, 0.9, 1.0,
                                       "Factor on the weights at each sample (gamma of eq. 2); 1 forgets nothing");
 constexpr ParamDecl kReference =
@@ -46,14 +46,14 @@ constexpr std::array<std::string_view, 2> kExcitations{"noise", "sweep"};
 constexpr ParamDecl kExcitation = locked(choiceParam("active.excitation", "Excitation", 0, kExcitations,
                                                      "What moves the table while its paths are identified"));
 constexpr ParamDecl kRecordLevel = locked(realParam("active.identify-level", "Level of identification", "", 0.1, 0.001,
-                                                    0.3, "Rms of the excitation, as a share of the stroke"));
+                                                    0.3, "Rms of the excitation, as a fraction of the stroke"));
 constexpr ParamDecl kRecordTime = locked(realParam("active.identify-time", "Time of identification", "s", 4.0, 0.5,
                                                    60.0, "Length of the record it is made from"));
 constexpr ParamDecl kModelAge = locked(realParam("active.model-age", "Age of a model", "min", 60.0, 1.0, 1440.0,
                                                  "An older model of the path is not started with"));
 constexpr ParamDecl kAuxiliary = locked(
     realParam("active.auxiliary", "Auxiliary noise", "", 0.0, 0.0, 0.1,
-              "Rms of the noise that identifies the path anew while it controls, as a share of the stroke; 0: off"));
+              "Rms of the noise that identifies the path anew while it controls, as a fraction of the stroke; 0: off"));
 constexpr ParamDecl kBlockFrames = locked(integerParam("active.block-frames", "Frames of a block", 1, 1, 4096,
                                                        "In simulation: how many samples the device takes at a time"));
 

@@ -15,7 +15,7 @@ namespace stillcut::active {
 enum class Reference { Feedforward, ErrorFeedback, InternalModel };
 
 struct FxlmsOptions {
-  LmsOptions filter;  // step: mu, or with `normalised` the share of the automatic bound
+  LmsOptions filter;  // step: mu, or with `normalised` the fraction of the automatic bound
   Reference reference = Reference::InternalModel;
   Emphasis emphasis;
 };

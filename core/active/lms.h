@@ -17,7 +17,7 @@ inline constexpr int kMostTaps = 512;
 
 struct LmsOptions {
   int taps = 35;            // 1 .. kMostTaps
-  double step = 0.1;        // mu; with `normalised` the share of the largest stable step, 0 .. 1
+  double step = 0.1;        // mu; with `normalised` the fraction of the largest stable step, 0 .. 1
   double leak = 1.0;        // gamma of eq. 2, 0 < gamma <= 1
   bool normalised = false;  // mu divided by the power of the values in the filter
 };
@@ -39,7 +39,7 @@ class Lms {
   std::vector<double> weights_;
 };
 
-// Half the step that makes the a-posteriori error vanish: e_after = e (1 - 2 mu' P), mu' = share/(2 (P + floor)).
+// Half the step that makes the a-posteriori error vanish: e_after = e (1 - 2 mu' P), mu' = fraction/(2 (P + floor)).
 inline double normalisedStep(double share, double power) noexcept {
   constexpr double kFloor = 1e-30;  // silence asks for no step
   return power > kFloor ? 0.5 * share / power : 0.0;

@@ -3,7 +3,7 @@
 // from that one's impulse response both it and the estimate it was made from must be half as far as the old model, in
 // energy (both see the noise of that estimate; a good old model is as far as that alone, another estimate of the same
 // path twice as far), and on no line to quieten may it be farther from it than the old one. It must pass checkPath()
-// and turn the phase on these lines by no more than 60 degrees at once: that far the old model is still driven the
+// and change the phase on these lines by no more than 60 degrees at once: that far the old model is still driven the
 // right way while the weights follow. Thread: not the loop's; allocates.
 #pragma once
 

@@ -1,5 +1,5 @@
 // On-line identification of the secondary path while the control is on (Ford 2013, further work 4; Eriksson and Allie
-// 1989 for the auxiliary noise). White noise v of a small share of the stroke is added to the output. Where the control
+// 1989 for the auxiliary noise). White noise v (small against the stroke) is added to the output. Where the control
 // works, it works on v as well, so that what v does to the error alone is the path as the old model has it, to first
 // order. So v is an instrument: with e = d - s * y, and d unrelated to v, the correlations of v with the error and with
 // the whole output obey c_ve = -s * c_vy, whatever the control makes of v; s follows by dividing the one by the other.

@@ -19,7 +19,7 @@ struct IdentifierOptions {
   int forward = 35;         // taps of A
   int backward = 35;        // taps of B; 0: finite response
   int delay = 0;            // of the output before the first tap (path_model.h) [samples]
-  double step = 5e-5;       // mu; with `normalised` a share, 0 .. 1
+  double step = 5e-5;       // mu; with `normalised` a fraction, 0 .. 1
   bool normalised = false;  // divided by the power in both lines, which should then be of one size
 };
 

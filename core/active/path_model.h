@@ -31,7 +31,7 @@ struct PathModel {
 // circle, a model that does nothing.
 Status checkPath(const PathModel& model, const std::string& where);
 
-// First of the path's impulse response that is heard: where a hundredth of its energy has come [samples, 1 or more].
+// First of the path's impulse response that counts: where a hundredth of its energy has come [samples, 1 or more].
 int leadingDelay(const PathModel& model);
 
 // Between the model and the path itself [rad], -pi .. pi; beyond +-pi/2 FXLMS steps the wrong way (Morgan 1980).

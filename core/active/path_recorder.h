@@ -1,5 +1,5 @@
 // PathRecorder: moves both actuators to identify their paths and keeps what was written and read. White noise on both
-// at once, or a sweep of x and then of y (a sweep of both could not be told apart where one axis hears the other).
+// at once, or a sweep of x and then of y (a sweep of both could not be separated where one axis reaches the other).
 // Through the gates, as every output: they ramp, limit and let go. Thread: step() on the loop's thread, real-time; the
 // rest while that thread does not run it.
 #pragma once
@@ -18,7 +18,7 @@ enum class Excitation { Noise, Sweep };
 struct RecordRequest {
   Excitation excitation = Excitation::Noise;
   Seconds duration{4.0};
-  double rms = 0.1;  // share of the amplitude limit; of a sweep too
+  double rms = 0.1;  // fraction of the amplitude limit; of a sweep too
   std::uint64_t seed = 1;
 };
 

@@ -1,4 +1,4 @@
-// PcmDuplex: an audio-class interface as the device of the active work-holder: two of its inputs hear the table, two of
+// PcmDuplex: an audio-class interface as the device of the active work-holder: two inputs measure the table, two of
 // its outputs drive the piezo amplifier. Whole numbers of 32 bits; what full scale is in SI of the sensor and in metres
 // of stroke comes from the profile. PcmDuplexDriver is the library boundary: what is above it is tested with drivers
 // that fall behind, fall silent and disappear; what is below it are the calls of one library.

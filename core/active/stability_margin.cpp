@@ -33,7 +33,7 @@ ActivePath stabilityMarginOf(const IdentifiedPath& path, std::span<const Hertz> 
     }
     return true;
   };
-  bool all = true;  // of the lines are heard
+  bool all = true;  // of the lines have a response
   for (const Hertz line : lines) {
     bool heard = false;
     for (std::size_t k = 0; k < r.frequency.size(); ++k) {
@@ -43,7 +43,7 @@ ActivePath stabilityMarginOf(const IdentifiedPath& path, std::span<const Hertz> 
     all = all && heard;
   }
   for (std::size_t k = 0; lines.empty() && k < r.frequency.size(); ++k) (void)hears(k);
-  if (!all || !std::isfinite(left)) return margin;  // the sensor hears nothing there: no promise
+  if (!all || !std::isfinite(left)) return margin;  // no response there: no margin
   margin.phaseMargin = left;
   margin.delayMargin = Seconds(std::max(0.0, late));
   margin.predictedStable = left > 0.0;
@@ -53,9 +53,9 @@ ActivePath stabilityMarginOf(const IdentifiedPath& path, std::span<const Hertz> 
 Status checkStabilityMargin(const ActivePath& margin, const std::string& axis) {
   if (margin.predictedStable) return Done{};
   return Error{message("active work-holder"),
-               message("the model along %1 promises no stability on the lines to quieten, worst at %2 Hz", axis,
+               message("the model along %1 has no phase margin on the lines to quieten, worst at %2 Hz", axis,
                        std::to_string(std::lround(margin.worstFrequency.value))),
-               message("its phase is off by 90 degrees or more, or the sensor does not hear the actuator there")};
+               message("its phase is off by 90 degrees or more, or the sensor measures nothing of the actuator there")};
 }
 
 PathFit fitOf(const IdentifiedPath& path, const ActivePath& margin) {

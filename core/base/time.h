@@ -57,7 +57,7 @@ class SteadyClock final : public Clock {
   }
 };
 
-// Time that is told: of a deterministic run, which sets it to the end of each block, and of tests.
+// Time that is set: of a deterministic run, which sets it to the end of each block, and of tests.
 class ManualClock final : public Clock {
  public:
   Instant now() const noexcept override { return instantFromNs(ns_.load(std::memory_order_acquire)); }

@@ -17,8 +17,9 @@ namespace stillcut::cnc {
 struct LinkInfo {
   std::string_view id;  // "simulated", "linuxcnc"
   std::string_view label;
-  bool simulated = false;                     // only such a machine takes a replay or a simulated cut
-  bool machineWatchdog = false;               // the machine itself restores 100 % when we fall silent
+  bool simulated = false;        // only such a machine takes a replay or a simulated cut
+  bool machineWatchdog = false;  // the machine itself restores 100 % when we fall silent
+  bool kept = false;             // another process brings the operator's values back when this program dies or hangs
   Ratio lowestSpeed{1.0}, highestSpeed{1.0};  // what the machine's override can do
   Ratio lowestFeed{1.0}, highestFeed{1.0};
   // Longest time between two readings of the same quantity while all is well: what "stale" is measured by.
@@ -38,8 +39,8 @@ class CncLink {
   // Must work without a command: safety does not wait for the gate.
   virtual void release(Instant now) noexcept = 0;
   // Before a release(): what stands in the overrides named was left by a program of ours that died, and this is what
-  // the operator had: home. Sends nothing. For links that share one register with the operator's knobs; others go home
-  // to 100 % by themselves.
+  // the operator had: home. Sends nothing. A link whose overrides are registers of its own takes it that they hold
+  // something of ours, and home is 100 %; one that writes on open() needs none.
   virtual void adopt(std::optional<Ratio> /*speed*/, std::optional<Ratio> /*feed*/) noexcept {}
   // The last call on the link thread: lets go of wires, which belong to the thread that used them.
   virtual void close() noexcept {}

@@ -32,9 +32,13 @@ constexpr const char* kProved = "an order was seen to act, and to be taken back,
 constexpr const char* kUnproved = "no order has shown it yet: nothing was moved";
 constexpr const char* kWatchdog = "the machine goes back by itself when nothing comes from here";
 constexpr const char* kNoWatchdog = "the machine has no watchdog: if this program dies, the overrides stay";
-constexpr std::array kWords{kAnswers, kIncomplete, kOff,        kAlarm,     kHeld,     kRunning,
-                            kIdle,    kSpindle,    kUnmeasured, kOverrides, kLocked,   kDelay,
-                            kLost,    kRange,      kProved,     kUnproved,  kWatchdog, kNoWatchdog};
+constexpr const char* kKept =
+    "the machine has no watchdog: a process of its own brings the overrides back if this program dies; they stay where "
+    "both are killed at once, or the cable goes";
+constexpr const char* kByTheRun = "as the run that holds the machine tells: nothing more was asked";
+constexpr std::array kWords{kAnswers, kIncomplete, kOff,       kAlarm,      kHeld,  kRunning, kIdle,
+                            kSpindle, kUnmeasured, kOverrides, kLocked,     kDelay, kLost,    kRange,
+                            kProved,  kUnproved,   kWatchdog,  kNoWatchdog, kKept,  kByTheRun};
 
 std::string number(double value, int decimals = 0) {
   std::array<char, 32> digits{};
@@ -58,6 +62,31 @@ Seconds median(std::vector<double> values) {
   return Seconds(values[values.size() / 2]);
 }
 
+LinkTrialStep readStep(const MachineState& m) {
+  if (!m.valid) return {LinkTrial::kNames[1], {{kIncomplete, {}}}, false};
+  const char* const doing = m.block == OverrideInhibit::MachineOff     ? kOff
+                            : m.block == OverrideInhibit::MachineAlarm ? kAlarm
+                            : m.feedHold                               ? kHeld
+                            : m.programRunning                         ? kRunning
+                                                                       : kIdle;
+  LinkTrialStep step{LinkTrial::kNames[1],
+                     {{doing, {}}, spindle(m), {kOverrides, {percent(m.speedOverride), percent(m.feedOverride)}}},
+                     true};
+  if (!m.overridesEnabled) step.said.push_back({kLocked, {}});
+  return step;
+}
+
+LinkTrialStep safetyStep(const LinkInfo& info, Seconds effect) {
+  const char* const alone = info.machineWatchdog ? kWatchdog : info.kept ? kKept : kNoWatchdog;
+  return {
+      LinkTrial::kNames[3],
+      {{kRange,
+        {percent(info.lowestSpeed), percent(info.highestSpeed), percent(info.lowestFeed), percent(info.highestFeed)}},
+       effect.value > 0.0 ? Message(kProved, {number(1e3 * effect.value)}) : Message(kUnproved, {}),
+       {alone, {}}},
+      true};
+}
+
 }  // namespace
 
 std::span<const char* const> LinkTrial::words() {
@@ -77,7 +106,7 @@ bool LinkTrial::next() {
       steps_.push_back(measure());
       break;
     default:
-      steps_.push_back(safety());
+      steps_.push_back(safetyStep(link_.describe(), effect_));
       break;
   }
   if (!steps_.back().good || steps_.size() == kSteps) link_.close();
@@ -102,28 +131,23 @@ LinkTrialStep LinkTrial::read() {
     m = link_.read(clock_.now());
     if (!m.valid) never.waitFor(kBetweenReads);
   }
-  if (!m.valid) return {kNames[1], {{kIncomplete, {}}}, false};
-  const char* const doing = m.block == OverrideInhibit::MachineOff     ? kOff
-                            : m.block == OverrideInhibit::MachineAlarm ? kAlarm
-                            : m.feedHold                               ? kHeld
-                            : m.programRunning                         ? kRunning
-                                                                       : kIdle;
-  LinkTrialStep step{
-      kNames[1], {{doing, {}}, spindle(m), {kOverrides, {percent(m.speedOverride), percent(m.feedOverride)}}}, true};
-  if (!m.overridesEnabled) step.said.push_back({kLocked, {}});
-  return step;
+  return readStep(m);
 }
 
 LinkTrialStep LinkTrial::measure() {
   std::vector<double> looks, ages;
+  Seconds roundTrip{};
   for (int i = 0; i < kLooks; ++i) {
     const Instant before = clock_.now();
     const MachineState m = link_.read(before);
     const Instant after = clock_.now();
     looks.push_back(secondsBetween(before, after).value);
-    if (m.valid) ages.push_back(std::max(0.0, secondsBetween(m.time, after).value));
+    if (!m.valid) continue;
+    ages.push_back(std::max(0.0, secondsBetween(m.time, after).value));
+    roundTrip = m.link.roundTrip;
   }
-  look_ = median(looks);
+  // A link that runs apart tells what it knows at once: what it has measured itself counts then.
+  look_ = std::max(median(looks), roundTrip);
   age_ = median(ages);
   const int lost = kLooks - static_cast<int>(ages.size());
   LinkTrialStep step{
@@ -132,15 +156,15 @@ LinkTrialStep LinkTrial::measure() {
   return step;
 }
 
-LinkTrialStep LinkTrial::safety() const {
-  const LinkInfo info = link_.describe();
-  return {
-      kNames[3],
-      {{kRange,
-        {percent(info.lowestSpeed), percent(info.highestSpeed), percent(info.lowestFeed), percent(info.highestFeed)}},
-       effect_.value > 0.0 ? Message(kProved, {number(1e3 * effect_.value)}) : Message(kUnproved, {}),
-       {info.machineWatchdog ? kWatchdog : kNoWatchdog, {}}},
-      true};
+std::vector<LinkTrialStep> LinkTrial::ofRun(const LinkInfo& info, const MachineState& state, Seconds age,
+                                            Seconds effect) {
+  std::vector<LinkTrialStep> steps{{kNames[0], {{kAnswers, {std::string(info.label)}}, {kByTheRun, {}}}, true},
+                                   readStep(state)};
+  if (!steps.back().good) return steps;
+  const std::string look = number(1e3 * state.link.roundTrip.value, 1);
+  steps.push_back({kNames[2], {{kDelay, {look, number(1e3 * age.value, 1)}}}, true});
+  steps.push_back(safetyStep(info, effect));
+  return steps;
 }
 
 }  // namespace stillcut::cnc

@@ -28,6 +28,9 @@ class LinkTrial {
 
   // Takes the next step; false: there is none, because all are done or one has failed.
   bool next();
+  // The same steps by what the run that holds the machine knows of it; nothing is said to the machine. `age`: of
+  // `state`; `effect`: as for proved().
+  static std::vector<LinkTrialStep> ofRun(const LinkInfo& info, const MachineState& state, Seconds age, Seconds effect);
   // The next one is the last: what the machine can do.
   bool atLast() const { return steps_.size() + 1 == kSteps && steps_.back().good; }
   // An order was seen to act and to be taken back, now or in an earlier run, after so long; 0: none was.
@@ -49,7 +52,6 @@ class LinkTrial {
   LinkTrialStep connect();
   LinkTrialStep read();
   LinkTrialStep measure();
-  LinkTrialStep safety() const;
 
   CncLink& link_;
   const Clock& clock_;

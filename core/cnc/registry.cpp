@@ -39,6 +39,7 @@ Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
   s.rsh.port = settings.whole("port", s.rsh.port, 1, 65535);
   s.hal.host = s.rsh.host;
   s.hal.port = settings.whole("hal_port", s.hal.port, 1, 65535);
+  if (settings.has("status_port")) s.rsh.port = s.hal.port = settings.whole("status_port", 5009, 1, 65535);
   s.component.host = s.rsh.host;
   if (settings.has("hal_component_port")) s.component.port = settings.whole("hal_component_port", 5008, 1, 65535);
   s.adaptiveFeed = settings.flag("adaptive_feed", s.adaptiveFeed);
@@ -53,6 +54,10 @@ Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
   if (Status real = realMachine(r, where); !real) return real.error();
   if (s.adaptiveFeed && s.component.port == 0) {
     return Error{where, message("'adaptive_feed' needs 'hal_component_port'"), message("it goes through stillcut-hal")};
+  }
+  if (settings.has("status_port") && s.component.port == 0) {
+    return Error{where, message("'status_port' needs 'hal_component_port'"),
+                 message("stillcut-status only tells; the overrides go through stillcut-hal")};
   }
   LinuxCncLink::Wires wires;
   const WireAddress& control = s.component.port > 0 ? s.component : s.rsh;

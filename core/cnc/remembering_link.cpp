@@ -49,9 +49,12 @@ MachineState RememberingLink::read(Instant now) noexcept {
 
 // At the first reading, and as long as it is offered: the operator may turn a knob before he answers. An override that
 // no longer stands as it was left is his, and stays his.
+// Of a machine that does not give both back, one that is read tells of the other.
 void RememberingLink::compare(const MachineState& m) noexcept {
-  if (!standsAsLeft(left_->speed, m.speedOverride)) left_->speed.sent = left_->speed.base;
-  if (!standsAsLeft(left_->feed, m.feedOverride)) left_->feed.sent = left_->feed.base;
+  const bool speed = standsAsLeft(left_->speed, m.speedOverride), feed = standsAsLeft(left_->feed, m.feedOverride);
+  const bool notBoth = m.link.overrides == Instant{};
+  if (!speed && !(notBoth && feed)) left_->speed.sent = left_->speed.base;
+  if (!feed && !(notBoth && speed)) left_->feed.sent = left_->feed.base;
   if (left_->speed.sent == left_->speed.base && left_->feed.sent == left_->feed.base) {
     endOffer();
     memory_->forget();

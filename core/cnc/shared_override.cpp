@@ -49,7 +49,9 @@ void SharedOverride::seen(int percent, Instant now) noexcept {
   const bool echo = shown_ != percent && takeEcho(percent, now);  // unchanged it is no answer yet
   const bool first = !shown_ && nothingSent();
   if (first) base_ = percent;
-  const bool ours = first || shown_ == percent || percent == target() || stoodThere || echo;
+  // A number that we want and have never sent is a hand that chose it.
+  const bool wanted = percent == target() && (factor_ == 1.0 || sentOnBase(percent));
+  const bool ours = first || shown_ == percent || wanted || stoodThere || echo;
   if (!ours && std::exchange(doubted_, percent) != percent) timesDoubted_ = 0;
   if (!ours && ++timesDoubted_ < manners_.sightings) return;
   doubted_.reset();
@@ -79,8 +81,7 @@ void SharedOverride::takeHand(int percent) noexcept {
   base_ = percent;
   factor_ = 1.0;
   firstOnBase_ = sentCount_;
-  // A reading that may lie is no reason to send anything over what stands.
-  if (!underway_ || manners_.sightings > 1) unseen_ = sentCount_;
+  if (!underway_ || !manners_.lateAfterHand) unseen_ = sentCount_;
   lateEchoShown_ = false;
   underway_.reset();
 }

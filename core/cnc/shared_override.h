@@ -20,9 +20,11 @@ namespace stillcut::cnc {
 class SharedOverride {
  public:
   struct Manners {
-    // How often on end a foreign value must be read to be a hand: 2 where a report has no checksum. While one is
-    // doubted nothing is sent, and a hand that gives way within seconds to the value of ours that stood there was none.
+    // How often on end a foreign value must be read to be a hand: 2 where a report may be false. While one is doubted
+    // nothing is sent, and a hand that gives way within seconds to the value of ours that stood there was none.
     int sightings = 1;
+    // What was sent and has not shown when a hand does may show after it all the same, and goes home to the hand then.
+    bool lateAfterHand = true;
     // What was sent shows in the order in which it was sent: a value older than one that has shown is a hand.
     bool inOrder = true;
     // Until a value that was sent shows; what has not shown by then is lost. LinuxCNC was seen to take up to 4.7 s.
@@ -66,7 +68,13 @@ class SharedOverride {
   bool baseConfirmed() const { return nothingSent() || (shown_ == base_ && !underway_ && !doubted_); }
   // All that was sent has been seen, or was given up.
   bool settled() const { return !underway_; }
+  // How long what was sent last has not shown; 0: it has.
+  Duration unseen(Instant now) const {
+    return underway_ ? now - sent_[(sentCount_ - 1) % sent_.size()].when : Duration::zero();
+  }
   bool known() const { return shown_.has_value(); }
+  // A foreign value was read, and not often enough to be a hand: the next reading decides.
+  bool doubted() const { return doubted_.has_value(); }
   int shown() const { return shown_.value_or(100); }
   // Where it should stand: the base times our factor, within the limits, and not beyond the base the other way.
   int target() const noexcept;

@@ -33,7 +33,7 @@ SettingName settingName(std::string_view key);
 class ComponentSettings {
  public:
   // `where` names the part in errors: "link 'linuxcnc'".
-  // `asked`, where given, is told of every setting the part asks for.
+  // `asked`, where given, receives every setting the component asks for.
   ComponentSettings(const std::map<std::string, std::string>& settings, std::string where,
                     std::vector<SettingDecl>* asked = nullptr)
       : settings_(settings), where_(std::move(where)), asked_(asked) {}

@@ -17,16 +17,16 @@ namespace stillcut::config {
 
 inline constexpr ParamDecl kLowestSpeedOverride =
     locked(realParam("gate.lowest-speed-override", "Lowest speed override", "%", 50.0, 10.0, 100.0,
-                     "Spindle speed is never driven below this share of the programmed speed"));
+                     "Spindle speed is never driven below this fraction of the programmed speed"));
 inline constexpr ParamDecl kHighestSpeedOverride =
     locked(realParam("gate.highest-speed-override", "Highest speed override", "%", 120.0, 100.0, 200.0,
-                     "Spindle speed is never driven above this share of the programmed speed"));
+                     "Spindle speed is never driven above this fraction of the programmed speed"));
 inline constexpr ParamDecl kLowestFeedOverride =
     locked(realParam("gate.lowest-feed-override", "Lowest feed override", "%", 50.0, 0.0, 100.0,
-                     "Feed is never driven below this share of the programmed feed"));
+                     "Feed is never driven below this fraction of the programmed feed"));
 inline constexpr ParamDecl kHighestFeedOverride =
     locked(realParam("gate.highest-feed-override", "Highest feed override", "%", 120.0, 100.0, 200.0,
-                     "Feed is never driven above this share of the programmed feed"));
+                     "Feed is never driven above this fraction of the programmed feed"));
 inline constexpr ParamDecl kLowestSpeed =
     locked(autoParam("gate.lowest-speed", "Lowest speed", "rpm", 1.0, 200000.0,
                      "Spindle speed is never driven below this; auto: no such limit"));
@@ -38,10 +38,10 @@ inline constexpr ParamDecl kHighestCuttingSpeed =
                      "The edge is never driven faster than this; needs the tool's diameter; auto: no such limit"));
 inline constexpr ParamDecl kHighestFeedPerTooth =
     locked(realParam("gate.highest-feed-per-tooth", "Highest feed per tooth", "%", 100.0, 100.0, 150.0,
-                     "Our overrides never raise the feed per tooth above this share of the programmed one"));
+                     "Our overrides never raise the feed per tooth above this fraction of the programmed one"));
 inline constexpr ParamDecl kLowestFeedPerTooth = locked(realParam(
     "gate.lowest-feed-per-tooth", "Lowest feed per tooth", "%", 30.0, 0.0, 90.0,
-    "Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub"));
+    "Our overrides never lower the feed per tooth below this fraction of the programmed one: the edge would rub"));
 inline constexpr ParamDecl kToolSpeed =
     locked(autoParam("gate.tool-highest-speed", "Highest speed of the tool", "rpm", 1.0, 200000.0,
                      "What the maker allows the tool; auto: no such limit"));

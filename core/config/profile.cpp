@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
 #include "core/config/nearest_word.h"
 #include "core/config/quantity_toml.h"
+#include "core/config/toml_edit.h"
 #include "core/config/toml_reader.h"
 #include "core/config/toml_writer.h"
 #include "core/storage/atomic_file.h"
@@ -94,6 +97,7 @@ CutSetup cutFrom(const TomlTable& root) {
 
 void readModel(const TomlTable& cut, Profile& profile) {
   profile.model = cut.textOr("model", "");
+  profile.material = cut.textOr("material", "");
   profile.depth = Metres(cut.numberOr("depth_mm", 0.0, 0.001, kDeepestMm) * 1e-3);
 }
 
@@ -190,6 +194,7 @@ void writeCut(TomlWriter& out, const Profile& profile) {
   if (cut.nominalSpeed.value > 0.0) out.number("speed_rpm", cut.nominalSpeed.value);
   if (cut.nominalFeed.value > 0.0) out.number("feed_mm_min", toMmPerMin(cut.nominalFeed));
   if (!profile.model.empty()) out.text("model", profile.model);
+  if (!profile.material.empty()) out.text("material", profile.material);
   if (profile.depth.value > 0.0) out.number("depth_mm", profile.depth.value * 1e3);
   for (const ChannelInfo& channel : cut.channels) {
     out.arrayElement("channels");
@@ -274,8 +279,35 @@ std::string profileText(const Profile& profile, const ParamCatalog& catalog) {
   return out.content();
 }
 
+namespace {
+
+std::optional<std::string> contentOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::string content{std::istreambuf_iterator<char>(file), {}};
+  return file.bad() ? std::nullopt : std::optional(std::move(content));
+}
+
+// What the file shall hold: what is written there with the new values put in, where it reads back as meant.
+std::string savedText(const std::string& written, const std::string& after, const ParamCatalog& catalog,
+                      const std::string& path) {
+  const auto before = parseProfile(written, path, catalog);
+  if (!before) return after;
+  std::string edited = editedToml(written, profileText(*before, catalog), after);
+  const auto again = parseProfile(edited, path, catalog);
+  return again && profileText(*again, catalog) == after ? edited : after;
+}
+
+}  // namespace
+
 Status saveProfile(const Profile& profile, const ParamCatalog& catalog, const std::string& path) {
-  return writeFileAtomically(path, profileText(profile, catalog));
+  const std::string after = profileText(profile, catalog);
+  const std::optional<std::string> written = contentOf(path);
+  if (!written) return writeFileAtomically(path, after);
+  const std::string saved = savedText(*written, after, catalog, path);
+  if (saved == *written) return Done{};
+  if (Status kept = writeFileAtomically(path + std::string(kProfileBefore), *written); !kept) return kept;
+  return writeFileAtomically(path, saved);
 }
 
 Status applySetting(ParamSet& params, const ParamCatalog& catalog, std::string_view setting, std::string_view where) {

@@ -8,8 +8,9 @@
 //                pitch_deg                               [85, 95, ...] angle to the next tooth; left out: even
 //   [cut]        speed_rpm, feed_mm_min                  as programmed; leave out what is not known
 //                model, depth_mm                         file of the cut's modes and material, and its depth: where
-//                both
-//                                                        are known strategies check their targets against the lobes
+//                                                        both are known strategies check their targets against the
+//                                                        lobes
+//                material                                a name of the table of materials, instead of the model's
 //   [[channels]] name, quantity, scale, axis             scale: SI units per device unit; instead of it
 //                sensitivity_mv, volts                   mV per g, Pa, N ... and V of one device unit
 //                coupling, place                         iepe, ac, dc; where it is mounted
@@ -49,15 +50,16 @@ struct ComponentChoice {
 // Whether a run of this machine is recorded, and under which name.
 struct RecordingChoice {
   std::string folder;  // empty: it is not; relative: beside the profile
-  std::string job;     // what is being made; empty: not told
+  std::string job;     // what is being made; empty: not given
 };
 
 struct Profile {
   CutSetup cut;               // rate and blockFrames are the source's affair and not part of a profile
   std::vector<double> pitch;  // angle from each tooth to the next [deg], one a tooth, 360 together; empty: even
   std::string model;  // file with the modes, tool, material and engagement of the cut; empty: the modes are not known
-  Metres depth{};     // of the cut; 0: unknown
-  std::string operatorName;  // empty: not told
+  std::string material;      // by name (core/milling/material_table.h); empty: the model's own
+  Metres depth{};            // of the cut; 0: unknown
+  std::string operatorName;  // empty: not given
   RecordingChoice recording;
   ComponentChoice source;
   ComponentChoice link;
@@ -87,8 +89,11 @@ Result<Profile> loadProfile(const std::string& path, const ParamCatalog& catalog
 Result<Profile> parseProfile(std::string_view content, const std::string& name, const ParamCatalog& catalog,
                              const KnownIds& known = {}, std::span<const ParamRename> renames = {});
 
-// The text a save writes, also stored in recordings. Parameters are in the order of the catalogue.
+// All of a profile as text, also stored in recordings. Parameters are in the order of the catalogue.
 std::string profileText(const Profile& profile, const ParamCatalog& catalog);
+// A file that is there keeps its comments and every line that still holds (toml_edit.h); as it was before, it stays
+// beside it: "mill3.toml.bak". A file that already says all this is left alone.
+inline constexpr std::string_view kProfileBefore = ".bak";
 Status saveProfile(const Profile& profile, const ParamCatalog& catalog, const std::string& path);
 
 // Parameters alone, a table a part: [energy-ratio] threshold = 0.2. The `--config` of the command line.

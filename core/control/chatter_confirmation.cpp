@@ -8,9 +8,9 @@ namespace {
 
 // Of a spindle frequency: noise of a real line is far below it, random lines exceed it seven times in ten.
 constexpr double kStill = 0.15;
-// A frequency that jumps this share of the tooth-passing frequency is another member of the family, not noise.
+// A frequency that jumps this fraction of the tooth-passing frequency is another member of the family, not noise.
 constexpr double kFamilyJump = 0.25;
-// Time constants that tell growth from decay: [s], but at least so many turns, because a detector needs turns to
+// Time constants that separate growth from decay: [s], but at least so many revolutions, which a detector needs to
 // answer.
 constexpr double kFast = 0.04, kSlow = 0.3;
 constexpr double kFastTurns = 0.5, kSlowTurns = 5.0;
@@ -23,7 +23,7 @@ constexpr double kGap = 0.05;  // [s]
 constexpr double kLoudTime = 0.1, kUsualTime = 1.0;
 constexpr double kAsBefore = 0.3, kTimesUsual = 4.0;
 constexpr double kStandingSeverity = 0.05;
-// Chatter that nobody tells: as many times as long as an alarm, and turns for what rings down.
+// Chatter without an alarm: as many times as long as an alarm, and revolutions for a decay.
 constexpr double kUntold = 4.0, kUntoldTurns = 20.0;
 
 // Detectors themselves do not see chatter nearer to a harmonic; a measured speed is good for 0.1 % of the order.

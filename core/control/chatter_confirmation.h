@@ -17,7 +17,7 @@ class ChatterConfirmation {
   };
 
   void configure(const Options& options) STILLCUT_RT { options_ = options; }
-  // The alarm in hand. What was heard of the cut's level stays.
+  // The present alarm. What was measured of the cut's level stays.
   void forget() STILLCUT_RT;
   void forgetLevels() STILLCUT_RT {
     usual_ = struck_ = loud_ = 0.0;

@@ -102,7 +102,7 @@ Aim Extremum::aim(const RuleView& view) {
   return goesOn ? searching(view) : law(view);
 }
 
-// Chatter came back during the search: the search is told once, and again if the next trial does not end it.
+// Chatter came back during the search: the search is informed once, and again if the next trial does not end it.
 bool Extremum::searchGoesOn(const RuleView& view) {
   if (search_.state() == MinimumSearch::State::Idle) return false;
   alarmedFor_ = alarmed_ ? alarmedFor_ + view.dt.value : 0.0;

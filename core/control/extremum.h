@@ -42,11 +42,11 @@ class Extremum : public FrequencyRule {
   static constexpr std::size_t kHeard = 8;
   std::array<Rpm, kHeard> heard_{};  // where alarms have begun, newest over oldest; 0: none
   std::size_t alarms_ = 0;
-  double alarmedFor_ = 0.0;  // [s] since the search was last told of chatter
+  double alarmedFor_ = 0.0;  // [s] since the search was last informed of chatter
   int searches_ = 0;
   bool started_ = false;  // the law has run in this episode
-  Rpm settles_{};         // where Delta f = 0 for the last frequency heard
-  Rpm settledFrom_{};     // and where that was heard
+  Rpm settles_{};         // where Delta f = 0 for the last frequency measured
+  Rpm settledFrom_{};     // and where that was measured
   Rpm quietAt_{};         // where the cut became quiet, while the search has not left settles_; 0: no such place
   double theta_ = 0.0;
   double gamma_ = 0.0;

@@ -7,7 +7,7 @@
 namespace stillcut::control {
 namespace {
 
-// A frequency that jumps this share of the tooth-passing frequency is another member of the family, not noise:
+// A frequency that jumps this fraction of the tooth-passing frequency is another member of the family, not noise:
 // averaging the two would aim between them.
 constexpr double kFamilyJump = 0.25;
 

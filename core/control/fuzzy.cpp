@@ -161,7 +161,7 @@ void Fuzzy::gather(const StrategyInput& input) {
   learnStable(v, level, dt);
 }
 
-// Spectra averaged over turns, as gamma_max comes from, forget chatter slower than it dies.
+// Spectra averaged over revolutions, as gamma_max comes from, forget chatter slower than it decays.
 bool Fuzzy::ofThePast(const StrategyInput& input, double level, double dt) {
   if (!(input.coherence >= 0.0) || !(level >= 0.0)) return false;
   const double turns = dt * toHertz(input.machine.programmedSpeed).value;
@@ -210,7 +210,7 @@ void Fuzzy::cycle(const StrategyInput& input) {
   reason_ = said(input, coherence, energy);
 }
 
-// Without feed there is no cut, and to whoever listens that is air: what was held there by us would stay held.
+// Without feed there is no cut, and the detectors find air cutting: what was held there by us would stay held.
 void Fuzzy::feedAgain(const FuzzyInputs& in, const MachineState& machine) {
   moveBy(0.0, infer(feedRules_, in, options_.centres), elapsed_ / options_.rangeTime, machine);
   feed_ = std::min(feed_, heldFrom_);
@@ -245,7 +245,7 @@ double Fuzzy::overshoot(double energy) {
   return std::min(kMostOvershoot, std::pow(kOvershoot, rising_));
 }
 
-// `step`: share of the whole range that may be gone.
+// `step`: fraction of the whole range that may be gone.
 void Fuzzy::moveBy(double speed, double feed, double step, const MachineState& m) {
   const config::FactorRange speeds = speedFactors(limits_, m);
   const config::FactorRange feeds = feedFactors(limits_, m);

@@ -58,7 +58,7 @@ class Fuzzy : public Strategy {
   double heldFrom_ = 0.0;            // the feed that was held from; 0: none is held
   bool moved_ = false;
 
-  double elapsed_ = 0.0, levelSum_ = 0.0, coherenceMax_ = 0.0, counted_ = 0.0;  // of the cycle in hand
+  double elapsed_ = 0.0, levelSum_ = 0.0, coherenceMax_ = 0.0, counted_ = 0.0;  // of the present cycle
   bool coherenceKnown_ = false;
   double stable_ = 0.0, stableSum_ = 0.0, stableTime_ = 0.0, stableBefore_ = 0.0;  // level of the stable cut
   double remembered_ = 0.0;                                                        // squared level that spectra hold

@@ -27,7 +27,7 @@ constexpr ParamDecl kEnergyUp = realParam("fuzzy.energy-limit", "Energy limit", 
                                           "Vibration over that of the stable cut at which the feed goes to its lowest; "
                                           "at twice that the feed is held");
 constexpr ParamDecl kHighest = realParam("fuzzy.highest", "Highest overrides", "%", 100.0, 100.0, 150.0,
-                                         "Speed and feed rise no further than this share of the programmed values");
+                                         "Speed and feed rise no further than this fraction of the programmed values");
 constexpr ParamDecl kRest = realParam("fuzzy.rest", "Rest of the speed", "s", 30.0, 0.0, 600.0,
                                       "The speed does not rise for so long after an alarm");
 constexpr ParamDecl kLearning = realParam("fuzzy-learning.weight", "Learning weight", "", 0.4, 0.0, 0.8,

@@ -31,7 +31,7 @@ extern const RuleTable kFeedRules;                          // figure 3.8
 extern const std::array<double, kEnergySets> kEnergyRules;  // figure 3.9, sign turned
 
 // More coherence error, and more of its change, must never ask for more speed or feed (table 3.1;
-// figures 3.7, 3.8, 3.17 and 3.18 fall everywhere). A hand may put a rule up to one singleton over those it should not
+// figures 3.7, 3.8, 3.17 and 3.18 fall everywhere). A user may put a rule up to one singleton over those it must not
 // exceed; beyond that the table pulls toward chatter.
 inline constexpr double kMostRise = 1.0;
 struct RisingRule {

@@ -1,4 +1,4 @@
-// What a law takes from the machine's state: whether there is anything to multiply, and how fast the spindle turns.
+// What a law takes from the machine's state: whether there is anything to multiply, and the spindle speed.
 // Thread: any; pure and real-time.
 #pragma once
 
@@ -12,7 +12,7 @@ inline bool positive(double v) {
   return std::isfinite(v) && v > 0.0;
 }
 
-// Measured where the machine measures, else what it was told.
+// Measured where the machine measures, else the commanded speed.
 inline Rpm actualOrCommandedSpeed(const MachineState& m) {
   return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
 }

@@ -79,7 +79,7 @@ bool MinimumSearch::nearChatter() const STILLCUT_RT {
   return best_.known && best_.perturbation > 0.0 && perturbationSum_ > kNearChatter * best_.perturbation * dwelt_;
 }
 
-// Share by which the level has changed since the trial before, from the two halves of this one.
+// Fraction by which the level has changed since the trial before, from the two halves of this one.
 double MinimumSearch::drift() STILLCUT_RT {
   const double lateTime = dwelt_ - earlyTime_;
   if (!(earlyTime_ > 0.0) || !(lateTime > 0.0) || !(early_ > 0.0)) return 0.0;

@@ -25,7 +25,7 @@ class MinimumSearch {
     Seconds wait{0.2};      // after the spindle has settled, for the vibration to do so; at most
     Seconds dwell{0.4};     // averaged; at most
     double turns = 1e9;     // averaged; half as many to settle
-    double worthIt = 0.01;  // levels closer than this share are the same
+    double worthIt = 0.01;  // levels closer than this fraction are the same
   };
   struct Input {
     double dt = 0.0;  // [s]

@@ -11,11 +11,11 @@ namespace {
 // place of the same pocket; less than 1 % is within what spindle and frequency are known to.
 constexpr double kSamePlace = 0.125;
 constexpr double kSmallestMove = 0.01;
-// Distance kept from a stability limit, as a share of the stable range.
+// Distance kept from a stability limit, as a fraction of the stable range.
 constexpr double kInside = 0.2;
 // A quarter of a wave too many between two teeth is where Liao 1996 would go by choice: the reach may end there.
 constexpr double kQuarterWave = 0.25;
-// Where two speeds point at each other the next lies at least this share of their distance from each.
+// Where two speeds point at each other the next lies at least this fraction of their distance from each.
 constexpr double kBetween = 0.1;
 // How much of a step of the rule the next one may repeat: at 0.85 what is left of the way is seven steps.
 constexpr double kSteepest = 0.85;

@@ -1,11 +1,11 @@
 // PocketSearch: which speed to try next. First the lobes, where they are known: the stable range nearest to where the
-// frequency rule points. Without lobes, or where a speed that they promised was heard to chatter: the rule itself
+// frequency rule points. Without lobes, or where a speed that they call stable chattered: the rule itself
 // (van Dijk 2010 eq. 29, 30), or as far up toward it as the override reaches where that leaves a quarter wave at most;
-// then its neighbouring pockets, nearest first, for every frequency heard so far; never again near a speed that has
+// then its neighbouring pockets, nearest first, for every frequency measured so far; never again near a speed that has
 // been tried, unless two that were tried point at each other: then the pocket lies between them.
 // Chatter's frequency falls with the speed, so that eq. 30 with the frequency of the old speed stops short of the
 // pocket's centre. Its repetition is a fixed-point iteration, n -> 60 f_c(n) / (p Z), whose fixed point is the centre
-// for every member f_c + k f_tp of the family; two of its members give the rest by Aitken's extrapolation.
+// for every member f_c + k f_tp of the family; two of its members give the others by Aitken's extrapolation.
 // Thread: prepare() at set-up, the rest on the worker, real-time.
 #pragma once
 

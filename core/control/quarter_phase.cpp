@@ -15,7 +15,7 @@ constexpr ParamDecl kSmoothing =
                       "Time constant of the low-pass on the chatter frequency");
 constexpr const ParamDecl* kParams[] = {&kDirection, &kPhase, &kSmoothing};
 
-// A target within this share of the present speed counts as reached, whichever side of it it lies on.
+// A target within this fraction of the present speed counts as reached, whichever side of it it lies on.
 constexpr double kReached = 0.02;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The wishes that every rule of speeds puts together alike: a speed with the feed that follows it, and what it asks for
+// The requests that all rules of speeds put together alike: a speed with the feed that follows it, and what it asks for
 // where nothing can be decided. Thread: worker; pure and real-time.
 #pragma once
 

@@ -29,9 +29,9 @@ constexpr const ParamDecl* kParams[] = {&kConfirm, &kConfirmAgain, &kSettle, &kM
 constexpr double kAtTarget = 0.01;  // the spindle is there
 // Chatter's torque moves the measured speed about by a few percent: more is a move. The mean of so long [s] counts.
 constexpr double kShaken = 0.05, kEvenTime = 0.2;
-constexpr double kSettleTurns = 15.0;  // on slow machines the ringing down takes turns, not milliseconds
+constexpr double kSettleTurns = 15.0;  // on slow machines the decay takes revolutions, not milliseconds
 constexpr double kNotMoved = 0.003;    // the spindle has not begun to move
-constexpr double kAskAnew = 1.0;       // [s] a wish that nobody carries out is made up anew
+constexpr double kAskAnew = 1.0;       // [s] a request that nobody carries out is made anew
 constexpr double kStood = 1.0;         // [s] a spindle that has been this long at one speed is not on its way
 
 bool near(Rpm a, Rpm b, double share) {
@@ -121,7 +121,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) {
   return answer(input);
 }
 
-// Programmed values in force that nobody here asked for: the gate has let go, and would take up the same wish again.
+// Programmed values in force that nobody here asked for: the gate has released, and would take the same request again.
 void StablePocket::watchLetGo(const Verdict& verdict, const MachineState& machine, Rpm present) {
   if (near(present, target_, kAtTarget)) {
     arrived_ = true;

@@ -1,4 +1,4 @@
-// stable-pocket: the default strategy: goes once to the pocket that van Dijk 2010, section 4.1 chooses, waits, judges,
+// stable-pocket: the default strategy: goes once to the pocket that van Dijk 2010, section 4.1 chooses, waits, looks,
 // and resigns after a few speeds. Its states and what is ours in it: resources/manual/developers/laws.md#stable-pocket.
 // Thread: as Strategy.
 #pragma once

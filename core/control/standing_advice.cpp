@@ -7,9 +7,9 @@
 namespace stillcut::control {
 namespace {
 
-constexpr double kAlike = 0.02;      // of the speed: the same place on the lobe, for a hand as for the eye
+constexpr double kAlike = 0.02;      // of the speed: the same place on the lobe, for the operator as for the eye
 constexpr double kStableFor = 10.0;  // [s] of a cut that needs no other speed
-constexpr double kThere = 0.01;      // the spindle turns as advised
+constexpr double kThere = 0.01;      // the spindle has the advised speed
 
 // Which of a reason's numbers is the chatter frequency; -1: none.
 int chatterIndex(ReasonCode code) {

@@ -1,5 +1,5 @@
 // StandingAdvice: the one speed that is advised, made of what the strategy in charge asks for in each block. It stands
-// still while the wish stays alike, goes when another program word comes or when the cut has been stable at another
+// still while the request stays alike, goes when another program word comes or when the cut has been stable at another
 // speed for a while, and is there under every authority and without a machine. Beside a strategy that only monitors it
 // asks one of its own (stable-pocket). Thread: prepare() at set-up, the rest on the worker, real-time.
 #pragma once

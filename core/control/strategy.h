@@ -1,4 +1,4 @@
-// Strategy: one published law that turns verdicts into wishes. How to add one: core/control/ADDING.md.
+// Strategy: one published law that turns verdicts into requests. How to add one: core/control/ADDING.md.
 // A pure decision from verdict, machine state and measured time: it keeps its own memory and touches nothing else.
 // Thread: worker. prepare() may allocate and throw; the rest may do neither. Should it throw all the same, the chain
 // takes that as a fault and drops to monitoring: nothing inside may be noexcept, which would end the program.
@@ -52,7 +52,7 @@ class Strategy {
   // New values of parameters that are not locked while running; its memory stays. A value that cannot be used with the
   // others leaves all as they were. Between blocks, real-time.
   virtual void retune(const config::ParamSet& /*params*/) {}
-  // One block's verdict gives one wish. Real-time; an exception is taken as a fault and drops to monitoring. An
+  // One block's verdict gives one request. Real-time; an exception is taken as a fault and drops to monitoring. An
   // unusable verdict or machine state gives Hold or None, never a Set.
   virtual OverrideRequest decide(const StrategyInput& input) = 0;
   // As after prepare(): nothing known of the cut, nothing asked for. Real-time.

@@ -15,8 +15,8 @@ constexpr double kQuiet = 0.1;     // s between two blows: the ringing of one be
 constexpr double kBlow = 100.0;    // of the usual power: 20 dB
 constexpr double kClear = 6.0;     // dB: twice the motion of any other axis
 constexpr const char* kWhere = "knock";
-constexpr const char* kOneKnock = "one knock along %1: '%2' heard most, %3 dB above the next";
-constexpr const char* kKnocks = "%4 knocks along %1: '%2' heard most, %3 dB above the next";
+constexpr const char* kOneKnock = "one knock along %1: '%2' measured most, %3 dB above the next";
+constexpr const char* kKnocks = "%4 knocks along %1: '%2' measured most, %3 dB above the next";
 constexpr const char* kRight = "it is right";
 constexpr const char* kExchanged = "'%1' and '%2' are exchanged";
 constexpr std::array kWords{kOneKnock, kKnocks, kRight, kExchanged};
@@ -85,7 +85,7 @@ Result<KnockResult> analyseKnocks(const std::vector<std::vector<float>>& samples
   for (const std::size_t c : compared) powers.push_back(powerOf(samples[c], channels[c].scale));
   const std::vector<std::size_t> blows = blowsIn(powers, rate.value);
   if (blows.empty()) {
-    return Error{kWhere, message("none was heard"),
+    return Error{kWhere, message("none was measured"),
                  message("knock along %1, hard, with the machine quiet", chosen.axis)};
   }
   const auto first = static_cast<std::size_t>(std::max(1.0, kFirst * rate.value));
@@ -102,7 +102,7 @@ Result<KnockResult> analyseKnocks(const std::vector<std::vector<float>>& samples
   const double lead = energies[1].first > 0.0 ? 10.0 * std::log10(energies[0].first / energies[1].first) : 99.0;
   if (lead < kClear) {
     return Error{kWhere,
-                 message("'%1' and '%2' heard it within %3 dB of each other", channels[energies[0].second].name,
+                 message("'%1' and '%2' measured it within %3 dB of each other", channels[energies[0].second].name,
                          channels[energies[1].second].name, number(lead)),
                  message("knock straight along %1, close to the sensor", chosen.axis)};
   }

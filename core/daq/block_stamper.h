@@ -17,7 +17,7 @@ class BlockStamper {
   void doubt() noexcept { doubtful_ = true; }
   // An empty block, to be filled.
   void begin(SampleBlock& block) const noexcept;
-  // A filled block whose last frame was taken, or seen, at `seen`. lostFrames: what the device itself has told.
+  // A filled block whose last frame was taken, or seen, at `seen`. lostFrames: what the device itself has reported.
   void finish(SampleBlock& block, Instant seen) noexcept;
 
  private:

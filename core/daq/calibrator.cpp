@@ -85,7 +85,7 @@ double findFrequency(std::span<const float> x, double mean, double rate, double 
 }
 
 // A sine never swings further than it reaches; one that is cut off does, by 1.7 % when a fiftieth of it is gone. Where
-// few samples make a turn, the nearest may miss the top by half a step.
+// few samples make a period, the nearest may miss the top by half a step.
 bool cutOff(std::span<const float> x, double mean, double rms, double radPerSample) {
   const auto [least, greatest] = std::minmax_element(x.begin(), x.end());
   const double reach = std::min(static_cast<double>(*greatest) - mean, mean - static_cast<double>(*least));
@@ -118,7 +118,7 @@ Result<Calibration> calibrate(std::span<const float> samples, Hertz rate, const 
   const std::string where = "calibrator";
   const double f = tone.frequency.value;
   if (!(f > 0.0) || !((1.0 + kReach) * f < 0.5 * rate.value)) {
-    return Error{where, message("%1 Hz cannot be heard at %2 samples a second", number(f), number(rate.value))};
+    return Error{where, message("%1 Hz cannot be measured at %2 samples a second", number(f), number(rate.value))};
   }
   if (!(tone.level > 0.0)) return Error{where, message("its level must be above zero")};
   if (static_cast<double>(samples.size()) < kShortest * rate.value) {
@@ -128,7 +128,7 @@ Result<Calibration> calibrate(std::span<const float> samples, Hertz rate, const 
   double power = 0.0;
   for (const float v : samples) power += (static_cast<double>(v) - mean) * (static_cast<double>(v) - mean);
   power /= static_cast<double>(samples.size());
-  if (!(power > 0.0)) return Error{where, message("nothing is heard"), message("is the sensor connected?")};
+  if (!(power > 0.0)) return Error{where, message("there is no signal"), message("is the sensor connected?")};
 
   Calibration found;
   const auto second = static_cast<std::size_t>(rate.value);
@@ -144,8 +144,7 @@ Result<Calibration> calibrate(std::span<const float> samples, Hertz rate, const 
   const double count = static_cast<double>(levels.size());
   found.pure = tonePower / count / power;
   if (found.pure < kPure) {
-    return Error{where,
-                 message("only %1 % of what is heard is a tone near %2 Hz", number(100.0 * found.pure), number(f)),
+    return Error{where, message("only %1 % of the signal is a tone near %2 Hz", number(100.0 * found.pure), number(f)),
                  message("does the calibrator run, on this channel, and is the machine quiet?")};
   }
   for (const double level : levels) found.rms += level / count;

@@ -1,4 +1,4 @@
-// What several devices say in the same words (Error: what and why; a doubt). Thread: set-up and the device's own.
+// What several devices say in the same words (Error: what and why; a warning). Thread: set-up and the device's own.
 #pragma once
 
 #include "core/base/message.h"

@@ -98,7 +98,7 @@ struct JoinedSource::Follower {
   int channels;
   std::vector<dsp::ClipWatch> clips;
   std::vector<dsp::RepeatWatch> repeats;
-  std::vector<bool> holds;  // a speed is told now and then
+  std::vector<bool> holds;  // a speed is reported now and then
   dsp::RateWatch rates;
   int stretch = 0, looked = 0;  // frames in which repeats are counted
   bool clipped = false;

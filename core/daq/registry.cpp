@@ -11,6 +11,7 @@
 #include "core/daq/joined_parts.h"
 #include "core/daq/pcm_source.h"
 #include "core/daq/replay_source.h"
+#include "core/daq/simulated/hammer_source.h"
 #include "core/daq/stream_decoder.h"
 #include "core/daq/stream_source.h"
 #include "core/model/sensor_status.h"
@@ -23,6 +24,18 @@ namespace {
 Result<std::unique_ptr<DaqSource>> makeSimulated(const SourceRequest& r) {
   if (r.scenario == nullptr) return Error{message("source 'simulated'"), message("a scenario is needed")};
   return std::unique_ptr<DaqSource>(std::make_unique<SimulatedSource>(*r.scenario, r.seed, r.port, r.pace));
+}
+
+Result<std::unique_ptr<DaqSource>> makeHammer(const SourceRequest& r) {
+  config::ComponentSettings settings(r.settings, "source 'simulated-hammer'", r.asked);
+  HammerSourceOptions options;
+  options.alongY = settings.choice("axis", 0, {"x", "y"}) == 1;
+  options.interval = Seconds(settings.number("interval_s", options.interval.value, 0.6, 60.0));
+  options.pace = settings.number("pace", 1.0, 0.0, 1000.0);  // times real time; 0: as fast as it is read
+  options.faults = settings.flag("faults", true);
+  options.seed = static_cast<std::uint64_t>(settings.whole("seed", 1, 1, 1'000'000));
+  if (Status known = settings.finish(); !known) return known.error();
+  return std::unique_ptr<DaqSource>(std::make_unique<HammerSource>(options));
 }
 
 // The recording's samples alone, with its own rate and channels: the machine of then is not this profile's.
@@ -171,7 +184,7 @@ Result<std::unique_ptr<DaqSource>> makeComedi(const SourceRequest& r) {
                  "libcomedi-dev");
 }
 
-constexpr std::array<SourceEntry, 8> kSources{{
+constexpr std::array<SourceEntry, 9> kSources{{
     {"simulated", "A simulated cut from a scenario file, in real time or as fast as possible", makeSimulated},
     {"replay", "A recording, in real time or at another pace: file, pace, rate_hz where the file does not say",
      makeReplay},
@@ -183,6 +196,8 @@ constexpr std::array<SourceEntry, 8> kSources{{
      makeIio},
     {"serial", "A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format",
      makeSerial},
+    {"simulated-hammer", "A simulated tap test: hammer and two accelerometers at the tip of a tool: axis, interval_s",
+     makeHammer},
     {"joined", "Several of these as one, aligned on the clock of the first: 1_id, 1_channels, 1_delay_ms, 2_id ...",
      makeJoined},
     {"tcp", "A bridge that sends the same over a socket: host, port, rate_hz, format", makeTcp},

@@ -15,7 +15,7 @@
 #include "core/config/component_settings.h"
 #include "core/daq/daq_source.h"
 #include "core/daq/pcm_driver.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 
 namespace stillcut::daq {
 
@@ -34,7 +34,7 @@ struct SourceRequest {
   // Comedi cards; reference: 0 ground, 1 common, 2 differential; may give null.
   std::function<std::unique_ptr<PcmDriver>(int range, int reference)> comedi;
   const Clock* clock = nullptr;                       // real devices; outlives the source
-  std::vector<config::SettingDecl>* asked = nullptr;  // told of every setting the source asks for
+  std::vector<config::SettingDecl>* asked = nullptr;  // receives every setting the source asks for
 };
 
 struct SourceEntry {

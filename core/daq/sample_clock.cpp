@@ -16,10 +16,10 @@ constexpr double kWindowBlocks = 16.0;  // blocks of arrivals at least, so that 
 constexpr double kLatest = 0.03;        // s of lateness that is no jitter, once it stays
 constexpr double kLateBlocks = 3.0;     // blocks of lateness at least, to be no jitter
 constexpr double kMostPull = 0.01;      // s: one late block must not bend the loop
-constexpr double kRateRange = 0.02;     // a device's crystal is not further off what was told or found
+constexpr double kRateRange = 0.02;     // a device's crystal is not further off the rate given or found
 constexpr double kFar = 0.005;          // of the rate: what the loop should have followed
 constexpr std::size_t kFewest = 2;      // windows that tell a rate
-constexpr double kSlowest = 20.0;       // times the told period; beyond, a device stands still
+constexpr double kSlowest = 20.0;       // times the nominal period; beyond, a device stands still
 
 }  // namespace
 

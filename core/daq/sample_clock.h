@@ -6,7 +6,7 @@
 // arrivals is its least late block; a stall that is followed by a burst is over in one window, and nothing was lost.
 //   Late in two windows by the same:  samples were lost without a word (libiio drops them silently); or, where the
 //                                     device counts what it loses, the transport has become longer: time jumps.
-//   Later, or earlier, in each:       the rate is not the told one. The median over some windows is the rate then, and
+//   Later, or earlier, in each:       the rate is another one. The median over some windows is the rate then, and
 //                                     time jumps to it once; it is never a row of losses.
 // What a device tells of losses is believed as far as the time that has gone by has room for it.
 // Thread: driver; real-time.
@@ -34,11 +34,11 @@ class SampleClock {
 
   // A block of `frames` of which the last was seen at `seen`. Returns when its first was taken.
   Instant stamp(int frames, Instant seen) noexcept;
-  // Of the last stamp(): frames missing before it, told or found, and counted into the time.
+  // Of the last stamp(): frames missing before it, reported or found, and counted into the time.
   std::uint64_t lost() const noexcept { return lost_; }
   // Of the last stamp(): time does not go on from the block before.
   bool jumped() const noexcept { return jumped_; }
-  // Enough has arrived to tell whether the rate is the told one; rate() is the one that was found.
+  // Enough has arrived to tell whether the rate is the nominal one; rate() is the one that was found.
   bool settled() const noexcept { return settled_; }
   // As the loop has it.
   Hertz rate() const noexcept { return Hertz(period_ > 0.0 ? 1.0 / period_ : 0.0); }
@@ -61,7 +61,7 @@ class SampleClock {
   std::uint64_t lossUnit_ = 1;
   double block_ = 0.0;                // s
   double latest_ = 0.0;               // s: what is later is no jitter
-  double base_ = 0.0, period_ = 0.0;  // s per frame: told or found; of the loop, near it
+  double base_ = 0.0, period_ = 0.0;  // s per frame: nominal or found; of the loop, near it
   bool started_ = false;
   Instant origin_{};
   double next_ = 0.0;             // s since the origin: when the frame after the last one is taken

@@ -1,4 +1,4 @@
-// StreamSource: samples that come as bytes over a wire, a serial line or a socket, at a rate that is told. When the
+// StreamSource: samples that come as bytes over a wire, a serial line or a socket, at a nominal rate. When the
 // wire breaks it is taken up again every half second until stop(), and what was missed is flagged as a gap. Thread: as
 // DaqSource says.
 #pragma once
@@ -24,7 +24,7 @@ class StreamSource final : public DaqSource {
                std::unique_ptr<StreamDecoder> decoder, const Clock& clock);
 
   // Waits up to three seconds for the wire, six for its first byte (many boards start anew when a port is opened) and
-  // three from there for the first sample, so that a wrong address, rate or frame is told at once. The wire stays open.
+  // three from there for the first sample, so that a wrong address, rate or frame shows at once. The wire stays open.
   Result<SourceFormat> open() override;
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }

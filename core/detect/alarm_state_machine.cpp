@@ -22,7 +22,7 @@ void AlarmStateMachine::prepare(int teeth) {
 
 void AlarmStateMachine::reset() {
   state_ = CutState::AirCutting;
-  severity_ = frequencySd_ = sinceOnset_ = feedSinceOnset_ = 0.0;
+  severity_ = frequencySd_ = sinceOnset_ = feedSinceOnset_ = waited_ = 0.0;
   frequency_ = {};
 }
 
@@ -30,7 +30,9 @@ void AlarmStateMachine::judge(const Evidence& evidence, const ConditionedBlock& 
   severity_ = evidence.severity;
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
   const bool judged = steady(block) && block.levelTrend > kFalling;
-  const bool stands = alarming() ? evidence.lasts : evidence.begins && judged;
+  const bool begins = evidence.begins && judged;
+  waited_ = begins ? waited_ + step.value : 0.0;
+  const bool stands = alarming() ? evidence.lasts : begins && waited_ >= block.alarmWait.value;
   state_ = !stands ? CutState::Stable : high ? CutState::Chatter : CutState::Onset;
   if (alarming()) {
     sinceOnset_ += step.value;

@@ -56,6 +56,7 @@ class AlarmStateMachine {
   double chatterRatio_ = 0.2;
   CutState state_ = CutState::AirCutting;
   double severity_ = 0.0;
+  double waited_ = 0.0;  // s, for which evidence has been enough on end
   Hertz frequency_{};
   double frequencySd_ = 0.0;
   double sinceOnset_ = 0.0;

@@ -4,7 +4,7 @@
 
 namespace stillcut::detect {
 
-void ShareTest::see(const SeriesLook& look) noexcept {
+void ShareTest::see(const SeriesLook& look) {
   if (look.count == seen_) return;
   seen_ = look.count;
   const bool counts = look.whole && look.agreed && look.steady && look.certainty > kLikely && look.teethHeard &&

@@ -21,14 +21,14 @@ class ShareTest {
   // nothing against two strong ones: 0 to 0.07 in real stable cuts, 0.22 to 1 in real chatter.
   static constexpr double kJoint = 0.15;
 
-  void reset() noexcept { *this = {}; }
+  void reset() { *this = {}; }
   // After every step; what it says changes with a new look only.
-  void see(const SeriesLook& look) noexcept;
+  void see(const SeriesLook& look);
 
-  bool full() const noexcept { return above_ >= kLooks; }  // two looks on end
-  bool lasts() const noexcept { return alarmed_; }         // since it was, not two below half of that
-  double share() const noexcept { return share_; }         // of the newest look that counts
-  Hertz line() const noexcept { return line_; }
+  bool full() const { return above_ >= kLooks; }  // two looks on end
+  bool lasts() const { return alarmed_; }         // since it was, not two below half of that
+  double share() const { return share_; }         // of the newest look that counts
+  Hertz line() const { return line_; }
 
  private:
   static constexpr int kLooks = 2;        // they overlap by three quarters; one may hold a knock

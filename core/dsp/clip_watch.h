@@ -1,7 +1,7 @@
 // A converter or amplifier at its limit, seen in the samples alone: the waveform is cut flat, at the same value again
 // and again, and nothing goes beyond. A natural peak is a parabola: where n samples of it fall on one step of the
 // converter, its neighbours lie at most (1 + 2/n)^2 steps lower. A flat of three or more whose neighbours on both sides
-// lie deeper than that is none. The value that three flats in a row share is the limit, until something goes beyond it
+// lie deeper than that is none. The value of three flats in a row is the limit, until something goes beyond it
 // or they settle elsewhere (the gain was turned). What rests at one value between pulses, near zero, is no limit.
 // Thread: one; real-time.
 #pragma once

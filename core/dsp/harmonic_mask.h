@@ -15,7 +15,7 @@ namespace stillcut::detect {
 class HarmonicMask {
  public:
   void prepare(int bins, double binWidth);
-  // halfWidth: bins to either side. doubt: of the spindle frequency, widens the mask with the order.
+  // halfWidth: bins to either side. doubt: standard deviation of the spindle frequency, widens the mask with the order.
   // Below half the spindle frequency and above `high` nothing is free.
   void update(Hertz spindle, Hertz doubt, double halfWidth, Hertz high) noexcept;
   bool free(std::size_t bin) const noexcept { return free_[bin] != 0.0; }

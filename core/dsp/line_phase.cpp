@@ -7,9 +7,9 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kWindowTurns = 2.0;
-constexpr double kFirstApart = 0.5;   // turns: tells frequencies within an order to either side apart
+constexpr double kFirstApart = 0.5;   // revolutions: separates frequencies within an order to either side
 constexpr double kFurthest = 0.6;     // orders from the rough frequency: beyond half an order it is another line's
-constexpr double kSecondApart = 1.0;  // turns: twice as fine
+constexpr double kSecondApart = 1.0;  // revolutions: twice as fine
 constexpr double kAgreement = 0.2;    // orders between the two looks
 constexpr double kLeastPart = 0.1;    // of the signal's power in the window
 

@@ -1,6 +1,6 @@
-// The frequency of a line that is roughly known, by how far its phase advances: two windows of two turns, some turns
-// apart, are turned back by the rough frequency; what they still turn against each other is its error. Hann windows of
-// two turns have zeros at every whole spindle order beside the line, which is where its side lines are.
+// The frequency of a line that is roughly known, by how far its phase advances: two windows of two revolutions, some
+// more apart, are rotated back by the rough frequency; the rotation left between them is its error. Hann windows of
+// two revolutions have zeros at every whole spindle order beside the line, which is where its sidebands are.
 // Thread: pure function; real-time.
 #pragma once
 

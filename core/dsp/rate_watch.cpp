@@ -10,14 +10,14 @@ namespace stillcut::dsp {
 namespace {
 
 constexpr double kKnownAfter = 1.0;  // s
-constexpr double kUsualWait = 1.5;   // s, of a device whose rate is the told one
+constexpr double kUsualWait = 1.5;   // s, of a device whose rate is the nominal one
 constexpr double kLeastWait = 0.1;
 constexpr double kFewest = 8.0;   // blocks
 constexpr double kRecent = 10.0;  // s
 constexpr double kLag = 1e-3;     // s
 constexpr double kWrong = 0.005;  // a chatter frequency that is 0.5 % wrong sends the spindle astray
 constexpr double kDoubts = 3.0;
-constexpr double kMostRate = 1000.0;  // times the told one
+constexpr double kMostRate = 1000.0;  // times the nominal one
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void RateWatch::reset() noexcept {
 }
 
 void RateWatch::push(const SampleBlock& block) noexcept {
-  // The stamps jump where the first arrivals have shown another rate; those before followed the told one.
+  // The stamps jump where the first arrivals have shown another rate; those before followed the nominal one.
   if (unchecked_ && block.has(kBlockGap)) long_ = recent_ = {};
   pendingFor_ = std::max(
       kLeastWait, (block.has(kBlockRateUnverified) && !pending_ ? kUsualWait : pendingFor_) - block.frames / nominal_);
@@ -43,7 +43,7 @@ void RateWatch::push(const SampleBlock& block) noexcept {
   pending_ = unchecked_ || (pending_ && !(long_.rate.value > 0.0));
 }
 
-// y is how far the stamp is from where the told rate puts it, so that nothing large is subtracted.
+// y is how far the stamp is from where the nominal rate puts it, so that nothing large is subtracted.
 void RateWatch::Lines::push(const SampleBlock& block, double nominal) noexcept {
   if (block.has(kBlockGap) || n < 0.5) {
     first = block.firstSample;

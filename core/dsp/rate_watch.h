@@ -2,9 +2,9 @@
 // the stamps (least squares), a new line after each gap. What is older than twenty seconds is forgotten: a crystal
 // warms up, a device is set anew.
 //
-// Its doubt: stamps are filtered, so neighbours err alike, and a line through them scatters less than it is wrong. The
+// Its error: stamps are filtered, so neighbours err alike, and a line through them scatters less than it is wrong. The
 // correlation of neighbours is read from the mean square of their differences (J. von Neumann, Ann. Math. Stat. 12,
-// 1941) and widens the doubt as that of an autoregressive process of first order, up to where all err as one. What is
+// 1941) and widens it as that of an autoregressive process of first order, up to where all err as one. What is
 // wrong with all stamps alike over the whole line does not show in it: a transport's lag that wanders by a millisecond
 // from its begin to its end is always allowed for.
 // Thread: worker; real-time.
@@ -27,9 +27,9 @@ class RateWatch {
   // Known after a second; 0 before.
   Hertz rate() const noexcept { return long_.rate; }
   Hertz sd() const noexcept { return long_.sd; }
-  // Seconds after which a device's rate is likely to be known; 0: it is, or the device's source has no doubt of it.
+  // Seconds after which a device's rate is likely to be known; 0: it is, or the device's source is sure of it.
   double pending() const noexcept { return pending_ ? pendingFor_ : 0.0; }
-  // Further from what was told than frequencies may be, and than the doubt explains.
+  // Further from the nominal rate than frequencies may be, and than the uncertainty explains.
   bool wrong() const noexcept { return wrong(long_) || wrong(recent_); }
 
  private:

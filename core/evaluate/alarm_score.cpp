@@ -81,7 +81,7 @@ void AlarmScore::add(const AlarmScore& other) {
 }
 
 AlarmScore scoreAlarms(const std::vector<TruthSpan>& told, const std::vector<Alarm>& alarms, Seconds length) {
-  // What is told of a time after the end was never listened to.
+  // What is marked after the end was never judged.
   std::vector<TruthSpan> truth = told;
   if (length.value > 0.0) {
     for (TruthSpan& span : truth) span.end = std::min(span.end, length);

@@ -7,9 +7,9 @@
 namespace stillcut::evaluate {
 namespace {
 
-constexpr Seconds kShortest{0.05};  // parts of the rest that are told
+constexpr Seconds kShortest{0.05};  // shortest part of the rest that is named
 constexpr std::size_t kMostChoices = 2;
-constexpr double kRoundFrom = 1000.0;  // rev/min: speeds are told to tens from here on
+constexpr double kRoundFrom = 1000.0;  // rev/min: speeds are rounded to tens from here on
 
 std::string speedText(Rpm speed, const AnswerWriting& w) {
   return w.speed(speed.value >= kRoundFrom ? Rpm(10.0 * std::round(speed.value / 10.0)) : speed);
@@ -81,7 +81,7 @@ std::string wavesText(double waves, const AnswerWriting& writing) {
 Message findingSentence(const RecordingAnswer& a, const AnswerWriting& w) {
   if (a.finding == Finding::NoChatter) return message("no chatter");
   if (a.finding == Finding::NotJudged) {
-    if (a.notJudged.empty()) return message("not judged: no cut was heard");
+    if (a.notJudged.empty()) return message("not judged: no cut was measured");
     const Seconds cut = a.length - a.air;
     if (a.judged.value > 0.0) {
       return message("not judged: only %1 of %2 s in the cut could be, mainly because %3", seconds(a.judged, w),
@@ -105,7 +105,7 @@ Message adviceSentence(const SpeedAnswer& advice, const AnswerWriting& writing) 
 
 Message judgedSentence(const RecordingAnswer& a, const AnswerWriting& w) {
   std::vector<Message> rest;
-  if (a.air >= kShortest) rest.push_back(message("%1 s of air", seconds(a.air, w)));
+  if (a.air >= kShortest) rest.push_back(message("%1 s of air cutting", seconds(a.air, w)));
   for (const UnjudgedTime& t : a.notJudged) {
     if (t.time >= kShortest) rest.push_back(message("%1 s: %2", seconds(t.time, w), whyText(t.reason, w)));
   }
@@ -115,7 +115,7 @@ Message judgedSentence(const RecordingAnswer& a, const AnswerWriting& w) {
 }
 
 Message hearingSentence(const RecordingAnswer& a, const AnswerWriting& w) {
-  return message("chatter is found up to %1 Hz", w.number(10.0 * std::floor(0.1 * a.hearsTo.value), 0));
+  return message("chatter can be detected up to %1 Hz", w.number(10.0 * std::floor(0.1 * a.hearsTo.value), 0));
 }
 
 std::vector<Message> channelSentences(const RecordingAnswer& a, const AnswerWriting& w) {

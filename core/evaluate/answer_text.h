@@ -24,9 +24,9 @@ Message findingSentence(const RecordingAnswer& answer, const AnswerWriting& writ
 // "try 9,010 or 10,010 rev/min (5 or 4½ waves of 1502 Hz between two teeth, instead of 4.74), or less depth"; why no
 // speed can be said; empty where no chatter was found.
 Message adviceSentence(const SpeedAnswer& advice, const AnswerWriting& writing);
-// "judged 1.5 of 8.0 s; the rest: 2.0 s of air, 4.5 s: channel 0 delivers a constant"
+// "judged 1.5 of 8.0 s; the rest: 2.0 s of air cutting, 4.5 s: channel 0 delivers a constant"
 Message judgedSentence(const RecordingAnswer& answer, const AnswerWriting& writing);
-// "chatter is found up to 5300 Hz"
+// "chatter can be detected up to 5300 Hz"
 Message hearingSentence(const RecordingAnswer& answer, const AnswerWriting& writing);
 // A line for each channel that was left out or was not in order.
 std::vector<Message> channelSentences(const RecordingAnswer& answer, const AnswerWriting& writing);

@@ -2,17 +2,12 @@
 
 #include <algorithm>
 
+#include "core/model/judged_cut.h"
+
 namespace stillcut::evaluate {
 namespace {
 
 constexpr double kLeastJudged = 0.5;  // of what is not air
-
-// What kept a verdict that alarms not from judging the cut.
-Reason whyNot(const Verdict& verdict) {
-  if (!verdict.valid || verdict.reason.code == ReasonCode::Learning) return verdict.reason;
-  if (verdict.phase == CutPhase::RunUp) return {ReasonCode::SpindleRunUp, {60.0 * verdict.spindle.value}};
-  return {ReasonCode::Transient, {}};
-}
 
 }  // namespace
 
@@ -56,15 +51,13 @@ std::vector<UnjudgedTime> ReasonTimes::longestFirst() const {
 
 void JudgedTime::observe(const Verdict& verdict, Seconds took) {
   length_ += took;
-  const bool steady = verdict.valid && verdict.phase == CutPhase::Steady && verdict.state != CutState::AirCutting &&
-                      verdict.reason.code != ReasonCode::Learning;
   alarmed_ = alarmed_ || verdict.alarming();
-  if (verdict.alarming() || steady) {
+  if (judges(verdict)) {
     judged_ += took;
   } else if (verdict.valid && verdict.state == CutState::AirCutting && verdict.phase != CutPhase::RunUp) {
     air_ += took;
   } else {
-    rest_.add(whyNot(verdict), took);
+    rest_.add(whyNotJudged(verdict), took);
   }
 }
 

@@ -242,7 +242,7 @@ std::vector<TruthSpan> spansOfRatio(const std::vector<Seconds>& times, const std
 
 std::vector<TruthSpan> spansOfMarkers(const std::vector<Marker>& markers, Instant begin,
                                       const std::vector<Alarm>& alarms) {
-  constexpr Seconds kHeard{1.0};  // reaction of whoever hears it
+  constexpr Seconds kHeard{1.0};  // reaction time of the operator
   std::vector<TruthSpan> spans;
   for (const Marker& marker : markers) {
     const Seconds from = secondsBetween(begin, marker.begin);

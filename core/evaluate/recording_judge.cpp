@@ -30,11 +30,18 @@ void RecordingJudge::observe(const StepInput& input, const StepOutput& output) {
     detectors_[d].time.observe(verdict, took);
     if (verdict.alarming() && verdict.spindle.value > 0.0) {
       detectors_[d].alarmTime += took.value;
-      detectors_[d].alarmTurns += took.value * verdict.spindle.value;
+      detectors_[d].alarmTurns += took.value * spindleOf(verdict).value;
     }
   }
   observeChannels(output, took);
   own_.observe();
+}
+
+// In full chatter the phases that the tracker follows may be the chatter's, so that a whole number of its waves seems
+// to fit between two teeth. The two series of lines tell spindle and chatter apart.
+Hertz RecordingJudge::spindleOf(const Verdict& verdict) const {
+  const detect::SeriesLook& look = chain_->conditioner().series().newest();
+  return look.certain && look.teethHeard ? look.spindle : verdict.spindle;
 }
 
 // What one block shows makes the block invalid and stands in no channel's status.

@@ -18,11 +18,11 @@ namespace stillcut::evaluate {
 
 // What the run does not know of its recording.
 struct JudgedRecording {
-  CutSetup setup;                       // as the run took it: teeth, told speed, channels, stable speeds
+  CutSetup setup;                       // as the run took it: teeth, nominal speed, channels, stable speeds
   std::vector<int> fileChannels;        // of each channel of the run its place in the file; empty: the same
   std::vector<LeftOutChannel> leftOut;  // by the file's places
-  config::SpeedRange reach;             // of the spindle; 0 to 0: not told
-  Metres depthLimit{};                  // of the told speed, by the lobes; 0: not known
+  config::SpeedRange reach;             // of the spindle; 0 to 0: not given
+  Metres depthLimit{};                  // of the nominal speed, by the lobes; 0: not known
 };
 
 class RecordingJudge {
@@ -52,6 +52,7 @@ class RecordingJudge {
     double alarmTime = 0.0, alarmTurns = 0.0;  // [s] in alarm with a known speed, and revolutions meanwhile
   };
   void observeChannels(const StepOutput& output, Seconds took);
+  Hertz spindleOf(const Verdict& verdict) const;
   int fileChannel(int channel) const;
 
   const pipeline::Chain* chain_;

@@ -1,4 +1,4 @@
-// A simulated cut as a recording: its samples and what the machine told, block by block, with nobody at the overrides.
+// A simulated cut as a recording: its samples and what the machine said, block by block, with nobody at the overrides.
 // So a scenario can be paced, paused, stepped and looped as anything that was recorded. Thread: one at a time; not
 // real-time.
 #pragma once

@@ -17,7 +17,8 @@ void append(std::string& text, double v) {
 
 }  // namespace
 
-SeriesLog::SeriesLog(std::span<const detect::DetectorInfo> detectors, Instant begin) : begin_(begin), text_("t") {
+SeriesLog::SeriesLog(std::span<const detect::DetectorInfo> detectors, Instant begin, std::span<const std::string> more)
+    : begin_(begin), text_("t") {
   for (const detect::DetectorInfo& info : detectors) {
     counts_.push_back(info.indicators.size());
     for (std::string_view indicator : info.indicators) {
@@ -26,10 +27,11 @@ SeriesLog::SeriesLog(std::span<const detect::DetectorInfo> detectors, Instant be
     for (const char* column : {"state", "valid", "speed_rpm"})
       text_.append(",").append(info.id).append(".").append(column);
   }
+  for (const std::string& column : more) text_.append(",").append(column);
   text_ += '\n';
 }
 
-void SeriesLog::observe(std::span<const Verdict> verdicts) {
+void SeriesLog::observe(std::span<const Verdict> verdicts, std::span<const double> more) {
   if (verdicts.empty()) return;
   append(text_, secondsBetween(begin_, verdicts.front().time).value);
   for (std::size_t d = 0; d < verdicts.size() && d < counts_.size(); ++d) {
@@ -40,6 +42,10 @@ void SeriesLog::observe(std::span<const Verdict> verdicts) {
     const Verdict& v = verdicts[d];
     text_.append(",").append(name(v.state)).append(v.valid ? ",1," : ",0,");
     if (v.spindle.value > 0.0) append(text_, toRpm(v.spindle).value);
+  }
+  for (const double value : more) {
+    text_ += ',';
+    append(text_, value);
   }
   text_ += '\n';
 }

@@ -16,8 +16,9 @@ namespace stillcut::evaluate {
 
 class SeriesLog {
  public:
-  SeriesLog(std::span<const detect::DetectorInfo> detectors, Instant begin);
-  void observe(std::span<const Verdict> verdicts);
+  // `more`: columns behind the detectors', as many as observe() is given each time.
+  SeriesLog(std::span<const detect::DetectorInfo> detectors, Instant begin, std::span<const std::string> more = {});
+  void observe(std::span<const Verdict> verdicts, std::span<const double> more = {});
   Status write(const std::string& path) const;
 
  private:

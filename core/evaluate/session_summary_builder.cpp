@@ -9,6 +9,7 @@
 
 #include "core/evaluate/scenario_reader.h"
 #include "core/evaluate/sensor_tally.h"
+#include "core/model/judged_cut.h"
 #include "core/pipeline/catalog.h"
 #include "core/pipeline/intervention_log.h"
 #include "core/pipeline/spectrum_tap.h"
@@ -175,8 +176,8 @@ class Builder {
     point.time = Seconds(secondsBetween(first_, block.firstSample).value + 0.5 * block.frames / block.rate.value);
     point.vibration = vibration;
     point.gap = block.has(kBlockGap);
-    point.valid = verdict.valid;
-    point.state = verdict.valid ? verdict.state : CutState::AirCutting;
+    point.valid = hasState(verdict);
+    point.state = point.valid ? verdict.state : CutState::AirCutting;
     point.severity = verdict.valid ? verdict.severity.value : 0.0;
     if (verdict.alarming()) point.frequency = verdict.frequency;
     if (step != nullptr && step->input.machine.valid) {
@@ -220,7 +221,7 @@ class Builder {
     for (std::uint64_t n = oldest; n < log_.count() && n < kMostCards; ++n) cards_[n] = log_.card(n);
   }
 
-  // The parameters' names are those of this program; what it no longer knows is told as a change all the same.
+  // The parameters' names are those of this program; what it no longer knows is shown as a change all the same.
   void noteSetting(const OperatorInput& input) {
     if (input.action != OperatorAction::SetParameter) return;
     ++summary_.settingChangeCount;

@@ -13,12 +13,12 @@
 
 namespace stillcut::evaluate {
 
-// `goOn`: told the part that is done, 0 to 1; false: stop with an error. Empty: to the end.
+// `goOn`: receives the fraction that is done, 0 to 1; false: stop with an error. Empty: to the end.
 Result<SessionSummary> summarizeRecording(const std::string& path, const record::ReadOptions& options = {},
                                           const record::TimeSpan& span = {},
                                           const std::function<bool(double)>& goOn = {});
 
-// What can be told at once, however long the recording: what it is, how long, and of a session the least and greatest
+// What can be read at once, however long the recording: what it is, how long, and of a session the least and greatest
 // of its first channel as curve (`vibration` is half of what lies between them). No verdicts, no spectrogram.
 Result<SessionSummary> glimpseOf(const std::string& path);
 

@@ -165,6 +165,7 @@ SimulationReport report(const SimulationHistory& controlled, const SimulationHis
 nlohmann::json toJson(const SimulationReport& r) {
   return {{"schema", kJsonSchema},
           {"command", "simulate"},
+          {"type", "answer"},
           {"scenario", r.scenario},
           {"strategy", r.strategy},
           {"outcome", r.outcome},

@@ -59,7 +59,7 @@ struct SimulationReport {
   double finalSpeed = 0.0;    // [rpm]
   double finalFeed = 0.0;     // [mm/min]
   double mrrRatio = 0.0;      // removal rate at the end against the programmed one
-  int speedChanges = 0;       // moves of the commanded speed that start from rest or turn round
+  int speedChanges = 0;       // moves of the commanded speed that start from rest or reverse
 };
 
 SimulationReport report(const SimulationHistory& controlled, const SimulationHistory& alone,

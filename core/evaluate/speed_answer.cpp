@@ -6,7 +6,7 @@
 namespace stillcut::evaluate {
 namespace {
 
-constexpr double kSlowest = 0.5, kFastest = 2.0;  // of the present speed, where no reach is told
+constexpr double kSlowest = 0.5, kFastest = 2.0;  // of the present speed, where no reach is given
 // A spindle runs a percent or two off what is programmed: nearer pockets than that cannot be aimed at.
 constexpr double kSpeedDoubt = 0.02;
 

@@ -11,7 +11,7 @@ struct SpeedRequest {
   Metres depthLimit{};  // of the present speed, by the lobes; 0: not known
 };
 
-// A reach without an upper end means that nobody has told one: half to twice the present speed then.
+// A reach without an upper end means that none was given: half to twice the present speed then.
 SpeedAnswer answerSpeed(const SpeedRequest& request);
 
 }  // namespace stillcut::evaluate

@@ -80,7 +80,8 @@ class ColumnReader final : public RecordingReader {
         const std::string what = "sample " + std::to_string(framesRead_ + static_cast<std::int64_t>(f)) + " of '" +
                                  format_.channels[static_cast<std::size_t>(channel)].info.name + "'";
         if (std::isfinite(value)) return Error{path_, message("%1 is too large for a sample", what)};
-        return Error{path_, message("%1 is not a finite number", what)};
+        return Error{path_, message("%1 is not a finite number", what),
+                     message("write NaN on every channel where samples are missing, or leave this one out")};
       }
       to[f] = static_cast<float>(value);
     }

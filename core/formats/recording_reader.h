@@ -43,7 +43,7 @@ struct RecordingFormat {
   std::string configuration;         // sessions only: the whole text in force
   std::string programVersion;        // sessions only
   std::string operatorName, job;     // sessions only; empty: not told
-  std::int64_t started_ns = 0;       // sessions only: ns since 1970 UTC; 0: not told
+  std::int64_t started_ns = 0;       // of the first sample, ns since 1970 UTC; 0: not told
   bool simulated = false;            // sessions only
   bool closedCleanly = true;         // sessions only: false after a crash, or while still being written
   Seconds length() const { return Seconds(rate.value > 0.0 ? static_cast<double>(frames) / rate.value : 0.0); }

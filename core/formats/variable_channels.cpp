@@ -158,6 +158,7 @@ Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const
   format.frames = usualLength(contents.arrays);
   format.skipped = std::move(contents.skipped);
   format.notes = std::move(contents.notes);
+  format.started_ns = contents.started_ns;
   const std::optional<double> stated = rateFromNumbers(contents);
   std::optional<double> rate = stated;
   if (options.rate) rate = options.rate->value;

@@ -33,6 +33,7 @@ struct FileContents {
   std::vector<std::pair<std::string, double>> numbers;  // single numbers by name: "fs", "dt"
   std::vector<std::string> skipped;                     // neither
   std::vector<Message> notes;                           // for RecordingFormat::notes
+  std::int64_t started_ns = 0;                          // for RecordingFormat::started_ns
 };
 
 // The length at which most numbers lie is that of the recording; others are skipped. The rate comes from the

@@ -51,6 +51,10 @@ struct Material {
   double radialEdge = 0.0;      // K_re [N/m]
   double exponent = 1.0;        // x, 0 < x <= 1
   double processDamping = 0.0;  // indentation coefficient [N/m]; 0: off. Force = -a_p * c * (dr/dt) / v_c
+  // How well they are known: standard deviations over the value, of K_t and K_r together and of the process damping;
+  // 0: not given.
+  double spread = 0.0, dampingSpread = 0.0;
+  Metres usualChip{};  // where lobes take a power law as straight when no feed is known; 0: nowhere
 };
 
 // Process damping coefficient [N/m] of a flank with a wear land: the volume it presses under itself, a_p L^2/2 (dr/dt)/

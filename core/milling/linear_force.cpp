@@ -19,4 +19,11 @@ Material linearisedAt(Material m, Metres chip) {
   return m;
 }
 
+Metres lineariseForLobes(CutModel& model, Metres feedPerTooth) {
+  if (model.material.exponent == 1.0) return {};
+  const Metres chip = feedPerTooth.value > 0.0 ? meanChip(model.engagement, feedPerTooth) : model.material.usualChip;
+  if (chip.value > 0.0) model.material = linearisedAt(model.material, chip);
+  return chip;
+}
+
 }  // namespace stillcut::milling

@@ -5,12 +5,15 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/milling/material_table.h"
+
 namespace stillcut::milling {
 
 namespace {
 
 constexpr double kPerMetreMm = 1e3;
 constexpr double kPerMetreUm = 1e6;
+constexpr double kPercent = 1e2;
 constexpr double kPerRadian = 360.0 / kTwoPi;
 
 std::vector<double> inSi(std::vector<double> values, double perUnit) {
@@ -89,14 +92,36 @@ std::vector<Mode> readModes(const config::TomlTable& root) {
   return modes;
 }
 
+namespace {
+
+Material named(const config::TomlTable& t, const char* key) {
+  const Result<Material> material = materialNamed(t.text(key), t.place(key));
+  if (material) return material.value();
+  t.refuse(key, material.error().what, material.error().why);
+  return {};
+}
+
+}  // namespace
+
 Material readMaterial(const config::TomlTable& t) {
   Material m;
-  m.tangential = t.number("tangential_n_per_m2", 0.0, 1e15);
-  m.radial = t.number("radial_n_per_m2", -1e15, 1e15);
-  m.tangentialEdge = t.numberOr("tangential_edge_n_per_m", 0.0, -1e9, 1e9);
-  m.radialEdge = t.numberOr("radial_edge_n_per_m", 0.0, -1e9, 1e9);
-  m.exponent = t.numberOr("exponent", 1.0, 0.01, 1.0);
-  m.processDamping = t.numberOr("process_damping_n_per_m", 0.0, 0.0, 1e12);
+  if (t.has("name")) {
+    m = named(t, "name");
+    m.tangential = t.numberOr("tangential_n_per_m2", m.tangential, 0.0, 1e15);
+    m.radial = t.numberOr("radial_n_per_m2", m.radial, -1e15, 1e15);
+  } else {
+    m.tangential = t.number("tangential_n_per_m2", 0.0, 1e15);
+    m.radial = t.number("radial_n_per_m2", -1e15, 1e15);
+  }
+  m.tangentialEdge = t.numberOr("tangential_edge_n_per_m", m.tangentialEdge, -1e9, 1e9);
+  m.radialEdge = t.numberOr("radial_edge_n_per_m", m.radialEdge, -1e9, 1e9);
+  m.exponent = t.numberOr("exponent", m.exponent, 0.01, 1.0);
+  m.processDamping = t.numberOr("process_damping_n_per_m", m.processDamping, 0.0, 1e12);
+  m.spread = milling::inSi(t.numberOr("spread_percent", kPercent * m.spread, 0.0, 50.0), kPercent);
+  m.dampingSpread =
+      milling::inSi(t.numberOr("process_damping_spread_percent", kPercent * m.dampingSpread, 0.0, 50.0), kPercent);
+  m.usualChip =
+      Metres(milling::inSi(t.numberOr("usual_chip_mm", kPerMetreMm * m.usualChip.value, 0.0, 1.0), kPerMetreMm));
   if (t.has("indentation_n_per_m3") || t.has("wear_land_mm")) {
     if (t.has("process_damping_n_per_m")) {
       t.refuse("process_damping_n_per_m", message("it follows from the indentation coefficient and the wear land"));
@@ -112,7 +137,11 @@ CutModel readModel(const config::TomlTable& root, const ModelParts& parts) {
   if (parts.modes.empty() || root.has("mode")) model.modes = readModes(root);
   if (!parts.modes.empty()) model.modes = parts.modes;
   model.tool = readTool(root.table("tool"));
-  if (!parts.material || root.has("material")) model.material = readMaterial(root.table("material"));
+  if (root.has("material") && !root.isTable("material")) {
+    model.material = named(root, "material");
+  } else if (!parts.material || root.has("material")) {
+    model.material = readMaterial(root.table("material"));
+  }
   if (parts.material) model.material = *parts.material;
   for (const char* notes : {"modal_fit", "force_fit"}) root.tableOr(notes).keys();
   model.engagement = readEngagement(root.table("engagement"), model.tool.diameter);
@@ -129,11 +158,23 @@ std::string modesText(const std::vector<Mode>& modes) {
   return s;
 }
 
+namespace {
+
+std::string spreadText(const Material& m) {
+  std::string s;
+  if (m.spread > 0.0) s += "spread_percent = " + numberText(m.spread, kPercent) + "\n";
+  if (m.dampingSpread > 0.0) s += "process_damping_spread_percent = " + numberText(m.dampingSpread, kPercent) + "\n";
+  if (m.usualChip.value > 0.0) s += "usual_chip_mm = " + numberText(m.usualChip.value, kPerMetreMm) + "\n";
+  return s;
+}
+
+}  // namespace
+
 std::string materialText(const Material& m) {
   return "[material]\ntangential_n_per_m2 = " + numberText(m.tangential) +
          "\nradial_n_per_m2 = " + numberText(m.radial) + "\ntangential_edge_n_per_m = " + numberText(m.tangentialEdge) +
          "\nradial_edge_n_per_m = " + numberText(m.radialEdge) + "\nexponent = " + numberText(m.exponent) +
-         "\nprocess_damping_n_per_m = " + numberText(m.processDamping) + "\n\n";
+         "\nprocess_damping_n_per_m = " + numberText(m.processDamping) + "\n" + spreadText(m) + "\n";
 }
 
 std::string modelText(const CutModel& model) {

@@ -18,7 +18,8 @@ struct ModelParts {
 };
 
 // Errors collect in the reader; the caller asks it, and check()s the model. [modal_fit] and [force_fit], the notes of
-// an identification, may stand beside the tables they belong to.
+// an identification, may stand beside the tables they belong to. `material = "NAME"` instead of the table [material],
+// or `name` in it, takes the values of material_table.h; what stands beside the name replaces them one by one.
 CutModel readModel(const config::TomlTable& root, const ModelParts& parts = {});
 // One of them, for files that hold only modes or only a material.
 std::vector<Mode> readModes(const config::TomlTable& root);

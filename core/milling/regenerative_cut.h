@@ -23,7 +23,7 @@ inline constexpr int kMaxModes = 16;
 struct CutNumerics {
   int stepsPerRevolution = 2048;
   int slices = 1;           // axial, used when the tool has a helix
-  Metres deepest{0.001};    // largest depth that will be set; slices share it out
+  Metres deepest{0.001};    // largest depth that will be set; slices divide it
   bool mayLeaveCut = true;  // false: the chip may be negative, which makes the model linear (to compare with theory)
   bool leavesMarks = true;  // false: the tool vibrates but cuts as if it did not: forced vibration alone
 };

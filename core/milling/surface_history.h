@@ -21,7 +21,7 @@ class SurfaceHistory {
   // `cells` angles per revolution, one surface per axial slice.
   SurfaceHistory(int cells, int slices);
 
-  // Angles in the material. Cells that come newly into it are fresh. Edges between cells weigh the cell by its share,
+  // Angles in the material. Cells that come newly into it are fresh. Edges between cells weigh the cell by its part,
   // so that the force integral over a step does not jump when an edge moves (first order in the step without it).
   void setWindows(std::span<const AngularWindow> windows) noexcept;
   // A slice that comes newly into the cut is all fresh.
@@ -44,7 +44,7 @@ class SurfaceHistory {
  private:
   int cells_, slices_;
   std::vector<double> sine_, cosine_;
-  std::vector<double> weight_;      // share of the cell [m - 1/2, m + 1/2] inside the windows
+  std::vector<double> weight_;      // fraction of the cell [m - 1/2, m + 1/2] inside the windows
   std::vector<std::uint8_t> live_;  // the cell or a neighbour has weight: its surface is kept
   std::vector<double> surface_;     // [slice * cells + cell], [m]
 };

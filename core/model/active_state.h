@@ -36,13 +36,13 @@ std::string_view actuatorReleaseText(ActuatorRelease why);  // "the loop diverge
 struct LineAttenuation {
   Hertz frequency{};
   double gain_dB = 0.0;  // above 0: quieter; power within 5 Hz, over about the last second
-  bool known = false;    // false: not yet, or nothing to be heard there
+  bool known = false;    // false: not yet, or no response there
 };
 
 struct ActiveAxis {
   ActuatorState state = ActuatorState::Off;
   ActuatorRelease release = ActuatorRelease::None;  // of the last letting go
-  double strokePeak = 0.0;                          // share of the stroke, over the last second
+  double strokePeak = 0.0;                          // fraction of the stroke, over the last second
   double strokeRms = 0.0;                           //
   double limitedFraction = 0.0;                     // of the last second's samples, cut off by amplitude or slew
   double errorRms = 0.0;                            // read now [SI of the sensor]
@@ -51,11 +51,11 @@ struct ActiveAxis {
   std::array<LineAttenuation, kActiveLines> lines{};
 };
 
-// The model of the path from an actuator to its sensor, and what it promises.
+// The model of the path from an actuator to its sensor, and its margins.
 struct ActivePath {
   bool known = false;
   Instant identified{};          // on the loop's clock
-  Seconds delay{};               // from output to the first that is heard of it: the loop's own delay
+  Seconds delay{};               // from output to the first response to it: the loop's own delay
   double residual = 0.0;         // rms of what the model does not predict, over that of the reading
   double phaseMargin = 0.0;      // at its worst place on the lines to quieten, of the 90 degrees FXLMS can stand [rad]
   Seconds delayMargin{};         // how much later the loop may become before a line is driven the wrong way

@@ -23,8 +23,8 @@ struct ChannelInfo {
   SensorQuantity quantity = SensorQuantity::Acceleration;
   double scale = 1.0;  // SI units per device unit
   std::string axis;    // "x", "y", "z", or empty
-  // As told in a profile; the scale follows from the two numbers where they are given.
-  double sensitivity = 0.0;  // mV per unit of the data sheet: g for acceleration, else the SI unit; 0: not told
+  // As given in a profile; the scale follows from the two numbers where they are given.
+  double sensitivity = 0.0;  // mV per unit of the data sheet: g for acceleration, else the SI unit; 0: not given
   double volts = 0.0;        // of one device unit
   std::string coupling{};    // "iepe", "ac", "dc", or empty
   std::string place{};       // "spindle nose"

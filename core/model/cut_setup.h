@@ -27,7 +27,7 @@ struct CutSetup {
   std::string tool;               // "T12 D12 Z4 HSK63 stick-out 48"
   int teeth = 0;                  // 0: unknown
   Metres toolDiameter{};          // 0: unknown
-  Rpm nominalSpeed{};             // as programmed or told; 1 to 2 % wrong in practice; 0: unknown
+  Rpm nominalSpeed{};             // as programmed or given; 1 to 2 % wrong in practice; 0: unknown
   MetresPerSecond nominalFeed{};  // 0: unknown
   Hertz rate{};                   // of every channel
   int blockFrames = 0;            // frames per block, largest

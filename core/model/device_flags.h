@@ -6,9 +6,9 @@
 
 namespace stillcut {
 
-// A device's first blocks: whether its rate is the told one has not shown against the clock yet.
+// A device's first blocks: whether its rate is the nominal one has not shown against the clock yet.
 inline constexpr auto kBlockRateUnverified = static_cast<BlockFlag>(1U << 3);
-// A device that was joined to the first delivers another rate than told, or repeats its values.
+// A device that was joined to the first delivers another rate than set, or repeats its values.
 inline constexpr auto kBlockRateMismatch = static_cast<BlockFlag>(1U << 4);
 
 // Which channel is meant by kBlockRateMismatch, in five bits of its own.

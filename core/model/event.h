@@ -18,7 +18,7 @@ struct Event {
   Reason reason;
 };
 
-// What came of our moves for an alarm, as the gate judges them: the alarm ended in time and stayed away; it goes on; it
+// What came of our moves for an alarm, as the gate finds them: the alarm ended in time and stayed away; it goes on; it
 // goes on and the cut is louder than before.
 enum class MoveOutcome : std::uint8_t { None, Helped, NotHelped, Louder };
 

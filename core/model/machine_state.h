@@ -9,7 +9,7 @@
 
 namespace stillcut {
 
-// What the link knows of itself: when each part was last heard, and the delays it has measured. Times are stream time,
+// What the link knows of itself: when each part was last received, and the delays it measured. Times are stream time,
 // 0: never. A machine that takes its overrides unseen (analog) leaves `overrides` at never.
 struct LinkTimes {
   Instant commanded{};     // the newest order that differs from the one before

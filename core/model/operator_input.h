@@ -18,7 +18,7 @@ enum class OperatorAction : std::uint8_t {
   EndHold,
   TrueAlarm,          // "that was chatter"
   FalseAlarm,         // "that was not chatter"
-  ReportChatter,      // "I hear it now": chatter that no alarm told of
+  ReportChatter,      // "I hear it now": chatter without an alarm
   GrantBySimulation,  // Auto, because the machine exists only in this program
   SetParameter,       // `parameter` to `value`, on the running cut; no authority is asked for
   UndoMark,           // the newest of the three marks above was not meant

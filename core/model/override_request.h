@@ -1,4 +1,4 @@
-// OverrideRequest: what a strategy wants, in absolute values, with its reason. A wish, not a command: only the gate can
+// OverrideRequest: what a strategy asks for, in absolute values, with its reason. Not a command: only the gate can
 // make a command of it. Plain values: any thread.
 #pragma once
 

@@ -28,7 +28,7 @@ enum class ReasonCode : std::uint16_t {
   InputNoise,          // channel
   InputDoubled,        // channel, channel that delivers the same
   InputRepeated,       // channel
-  InputRate,           // actual Hz, told Hz
+  InputRate,           // actual Hz, nominal Hz
   InputAliased,        // channel, line Hz, the order that it is
   SpindleRunUp,        // actual rpm
   Transient,           // seconds since the cut began or ended
@@ -119,6 +119,7 @@ enum class ReasonCode : std::uint16_t {
   GateOldSamples,        // age s of the newest samples that were judged, by the machine's newest state
   InputAbsurd,           // channel
   MachineNeverRead,      // -: there is no machine, or it has not answered yet
+  DriveTone,             // Hz of an axis drive's tone, which glides
 };
 
 struct Reason {

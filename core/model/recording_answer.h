@@ -58,8 +58,8 @@ struct SpeedChoice {
 
 struct SpeedAnswer {
   Hertz chatter{};
-  int teeth = 0;                     // 0: not told
-  Rpm present{};                     // in the signal, or as told; 0: unknown
+  int teeth = 0;                     // 0: not given
+  Rpm present{};                     // in the signal, or nominal; 0: unknown
   double waves = 0.0;                // between two teeth at the present speed
   std::vector<SpeedChoice> choices;  // nearest first; empty: none, and `why` says why
   Metres depthLimit{};               // below it the present speed is stable, by the lobes; 0: not known

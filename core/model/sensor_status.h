@@ -23,7 +23,7 @@ struct SensorStatus {
   std::array<ChannelStatus, kMaxChannels> channel{};
   Hertz nominalRate{};
   Hertz actualRate{};            // against the clock that stamps the blocks; 0: not known yet
-  Hertz actualRateSd{};          // its doubt
+  Hertz actualRateSd{};          // its standard deviation
   std::uint64_t lostFrames = 0;  // since the start, as the device reports them
   Reason fault;  // of the signal as a whole, or of the first channel that is left out; None: all can be believed
 };

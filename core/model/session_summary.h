@@ -3,6 +3,7 @@
 // largest of what they merge. Plain values: any thread.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/model/event.h"
 #include "core/model/marker.h"
 #include "core/model/operator_input.h"
+#include "core/model/recording_answer.h"
 #include "core/model/snapshot.h"
 #include "core/model/verdict.h"
 
@@ -41,7 +43,7 @@ struct SummaryPoint {
   double severity = 0.0;   // energy ratio, 0..1
   Hertz frequency{};       // chatter frequency while alarming; 0: none
   CutState state = CutState::AirCutting;
-  bool valid = false;     // a detector had an opinion
+  bool valid = false;     // it was judged, or nothing was cut
   bool gap = false;       // samples are missing in it
   Rpm speed{};            // measured, or programmed where nothing is measured; 0: unknown
   double feed_m_s = 0.0;  // as commanded; 0: unknown
@@ -54,13 +56,19 @@ struct SettingChange {
   std::string value;  // as text
 };
 
+// What the detectors say of a recording when it is looked at, and not while it was made.
+struct SummaryAnswer {
+  Finding finding = Finding::NotJudged;
+  std::vector<Message> sentences;  // the finding first, then what to do
+};
+
 struct SessionSummary {
   std::string file;
   std::string kind;  // "Stillcut session", "WAV"
   std::string programVersion;
   std::string configuration;      // TOML, as in force
-  std::string operatorName, job;  // empty: not told
-  std::int64_t started_ns = 0;    // ns since 1970 UTC; 0: not told
+  std::string operatorName, job;  // empty: not given
+  std::int64_t started_ns = 0;    // ns since 1970 UTC; 0: not given
   CutSetup setup;
   bool session = false;  // verdicts and decisions are in the file
   bool simulated = false;
@@ -85,6 +93,7 @@ struct SessionSummary {
   Seconds columnWidth{};
   Hertz spectrumTop{};
   std::vector<SensorSummary> sensors;
+  std::optional<SummaryAnswer> answer;  // empty: nobody has asked
 };
 
 }  // namespace stillcut

@@ -63,7 +63,7 @@ struct Snapshot {
   OverrideRequest request;
   bool adviceOpen = false;  // the request waits for accept or refuse
   std::uint32_t adviceNumber = 0;
-  SpeedAdvice advice;  // of the cut in hand, whether or not anybody may follow it
+  SpeedAdvice advice;  // of the present cut, whether or not anybody may follow it
   CommandRecord command;
   bool commanding = false;  // a command other than release is in force
   Authority authority = Authority::Off;
@@ -72,6 +72,8 @@ struct Snapshot {
   bool operatorHold = false;
   MachineState machine;
   double vibrationRms = 0.0;  // first channel, SI, last block
+  Seconds cutTime{};          // total in the cut: neither air nor run-up
+  Seconds judgedTime{};       // of it, judged (judged_cut.h)
   Seconds chatterTime{};      // total in chatter; an onset is not counted
   Metres chatterLength{};     // path cut meanwhile
   PathHealth health;

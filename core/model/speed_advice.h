@@ -1,5 +1,5 @@
-// SpeedAdvice: which spindle speed the cut in hand asks for, whoever may set it: the program, the operator by a touch,
-// or a hand at the machine. It names one speed and one chatter frequency, and stands still while it is good. Plain
+// SpeedAdvice: which spindle speed the present cut asks for, whoever may set it: the program, the operator by a touch,
+// or somebody at the machine. It names one speed and one chatter frequency, and stands still while it is good. Plain
 // value: any thread.
 #pragma once
 

@@ -33,7 +33,7 @@ struct Verdict {
   bool earlyWarning = false;
   Reason reason;
   Hertz frequency{};                                // dominant chatter frequency; 0: none
-  Hertz frequencySd{};                              // its doubt, one standard deviation
+  Hertz frequencySd{};                              // its standard deviation
   Ratio severity{};                                 // energy ratio, chatter to total, 0..1
   Hertz spindle{};                                  // spindle frequency used
   Seconds sinceOnset{};                             // 0 unless onset or chatter

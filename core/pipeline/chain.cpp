@@ -225,7 +225,7 @@ void Chain::advise(const control::StrategyInput& seen, const OverrideRequest& as
   strategyFailed_ = !withoutThrow([&] { step_.advice = advice_.look(seen, asked); }) || strategyFailed_;
 }
 
-// Without a machine the cut is as it was set up, for a strategy whose advice a hand may follow; the gate sees what was
+// Without a machine the cut is as it was set up, for a strategy whose advice a user may follow; the gate sees what was
 // really read.
 MachineState Chain::machineSeenByRequests(const Verdict& verdict, Instant now) const noexcept {
   if (control::neverRead(machine_)) return control::machineAsSetUp(setup_, verdict.spindle, now);
@@ -252,7 +252,7 @@ void Chain::runGate(const StepInput& input) noexcept {
   const safety::GateOutput& gate = step_.gate;
   gateSaid_ = {gate.authority, gate.autoAllowed, gate.knobs};
   flights_.push(safety::flightEntry(in, gate));
-  // So far the step has told of the detectors only; the gate's own cause follows.
+  // So far the step has reported the detectors only; the gate's own cause follows.
   for (int i = 0; i < out.eventCount; ++i) flights_.capture(out.events[static_cast<std::size_t>(i)].reason, in.now);
   if (gate.flight) flights_.capture(gate.flightCause, in.now);
   if (gate.adviceOpen) step_.advice = advice_.take(gate.advice, machine_);

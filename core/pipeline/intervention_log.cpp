@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/model/event_slots.h"
+#include "core/model/judged_cut.h"
 
 namespace stillcut::pipeline {
 namespace {
@@ -33,6 +34,8 @@ void InterventionLog::append(StepOutput& output, EventLevel level, Instant time,
 void InterventionLog::follow(const StepInput& input, StepOutput& output, const CutNow& cut, Seconds dt) noexcept {
   const Verdict& verdict = output.verdicts[static_cast<std::size_t>(output.inCharge)];
   alarming_ = verdict.alarming();
+  if (inCut(verdict)) cutTime_ += dt;
+  if (judges(verdict)) judgedTime_ += dt;
   // Without a verdict nobody knows whether it is quiet. An exit may be one or chatter that dies down: what it was shows
   // in what follows, air or a steady cut.
   if (alarming_) {
@@ -91,7 +94,7 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
   card.vibrationAfter = cut.vibrationRms;
   if (verdict.valid) card.severityAfter = verdict.severity;
   if (alarming_) {
-    // "Before" ends with our first command: while the spindle changes its speed nothing repeats from turn to turn, and
+    // "Before" ends with our first command: while the spindle changes its speed nothing repeats by revolutions, and
     // the energy ratio says nothing about chatter.
     if (card.commanded == Instant{}) {
       card.severityBefore = std::max(card.severityBefore, verdict.severity);

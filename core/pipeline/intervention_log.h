@@ -1,5 +1,5 @@
 // InterventionLog: follows alarms and commands and keeps one card per alarm: what was before, what we did, what came of
-// it, so that the screen can prove that the advice worked. Also the totals of time and path in chatter.
+// it, so that the screen can prove that the advice worked. Also the totals of time in the cut, judged and in chatter.
 // Thread: worker, real-time. Fixed size.
 #pragma once
 
@@ -29,6 +29,8 @@ class InterventionLog {
   std::uint64_t count() const { return count_; }
   // Card `number`, good for the newest kInterventionsShown.
   const Intervention& card(std::uint64_t number) const { return cards_[number % kInterventionsShown]; }
+  Seconds cutTime() const { return cutTime_; }
+  Seconds judgedTime() const { return judgedTime_; }
   Seconds chatterTime() const { return chatterTime_; }
   Metres chatterLength() const { return chatterLength_; }
   // Of its events, those that found no room or took it from a less important one.
@@ -46,7 +48,7 @@ class InterventionLog {
   bool alarming_ = false;
   Instant lastAlarm_{};
   Seconds sinceAlarm_{};  // of valid verdicts
-  Seconds chatterTime_{};
+  Seconds cutTime_{}, judgedTime_{}, chatterTime_{};
   Metres chatterLength_{};
   void append(StepOutput& output, EventLevel level, Instant time, const Reason& reason) noexcept;
 

@@ -1,5 +1,7 @@
 #include "core/pipeline/link_runner.h"
 
+#include <algorithm>
+
 namespace stillcut::pipeline {
 
 namespace {
@@ -44,7 +46,7 @@ void LinkRunner::tick(Instant now) noexcept {
     leasesExpired_.store(lease_.expiries(), std::memory_order_relaxed);
   }
   MachineState state = link_.read(now);
-  state.endedEngagement = lease_.endedEngagement();
+  state.endedEngagement = std::max(state.endedEngagement, lease_.endedEngagement());
   released_.look(state);
   notYetBack_.store(released_.notYetBack(), std::memory_order_relaxed);
   measure(state);

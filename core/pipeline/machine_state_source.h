@@ -42,7 +42,7 @@ class RecordedStateSource final : public MachineStateSource {
   void complete(StepInput& /*step*/) noexcept override {}
 };
 
-// Another feed, and what a hand on the screen sets: a replay takes new parameters and nothing else from there.
+// Another feed, and what the operator sets on the screen: a replay takes new parameters and nothing else from there.
 class TunedStateSource final : public MachineStateSource {
  public:
   TunedStateSource(std::unique_ptr<MachineStateSource> inner, rt::SpscRing<OperatorInput>& inputs)
@@ -54,7 +54,7 @@ class TunedStateSource final : public MachineStateSource {
   rt::SpscRing<OperatorInput>& inputs_;
 };
 
-// A recording without a machine: only the told or logged spindle speed is known.
+// A recording without a machine: only the nominal or logged spindle speed is known.
 class SpeedLogSource final : public MachineStateSource {
  public:
   struct Point {

@@ -48,6 +48,8 @@ void SnapshotPublisher::publish(const StepInput& input, const StepOutput& output
   s.operatorHold = step.gate.operatorHold;
   s.machine = input.machine;
   s.vibrationRms = step.vibrationRms;
+  s.cutTime = log.cutTime();
+  s.judgedTime = log.judgedTime();
   s.chatterTime = log.chatterTime();
   s.chatterLength = log.chatterLength();
   s.health = health;

@@ -45,7 +45,7 @@ void StepLoop::tap(const StepInput& input) noexcept {
   if (!parts_.tap->push(input, output_)) ++health_.tapDropped;
 }
 
-// Blocks that were lost are told of, at most once a second.
+// Blocks that were lost are reported, at most once a second.
 void StepLoop::tellLosses(Instant now) noexcept {
   if (health_.droppedBlocks <= saidDropped_) return;
   if (saidDropped_ > 0 && secondsBetween(saidAt_, now) < kBetweenLosses) return;

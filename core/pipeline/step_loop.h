@@ -63,7 +63,7 @@ class StepLoop {
   InterventionLog log_;
   StepOutput output_;
   PathHealth health_;
-  std::uint64_t saidDropped_ = 0;  // blocks that have been told of
+  std::uint64_t saidDropped_ = 0;  // blocks that have been reported
   Instant saidAt_{};
   std::uint64_t eventsLost_ = 0, saidEventsLost_ = 0;
   bool started_ = false;

@@ -1,5 +1,5 @@
 // DeadlineStats: how long something took, as a histogram with buckets 12 % apart from 0.1 us to 10 s.
-// Thread: record() on one thread, real-time; the rest on any, at any time (numbers may be one record apart).
+// Thread: record() on one thread, real-time; the others on any, at any time (numbers may be one record apart).
 #pragma once
 
 #include <array>

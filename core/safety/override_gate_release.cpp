@@ -15,7 +15,7 @@ bool ordinary(const Reason& trouble, const Verdict& verdict) noexcept {
   const ReasonCode why = verdict.reason.code;
   return trouble.code == ReasonCode::GateVerdictInvalid &&
          (why == ReasonCode::Learning || why == ReasonCode::SpindleRunUp || why == ReasonCode::Transient ||
-          why == ReasonCode::NoAirCutting);
+          why == ReasonCode::NoAirCutting || why == ReasonCode::DriveTone);
 }
 
 // Commands still reach the machine and act on it. A program that has ended does not matter to that.

@@ -26,12 +26,13 @@ struct ConditionedBlock {
   Reason reason;            // why not valid
   bool overloaded = false;  // a sensor is at its limit: chatter is heard all the same, that a cut is stable is not
   CutPhase phase = CutPhase::AirCutting;
-  double levelTrend = 1.0;            // mean square of the last turn over that of the last few
-  Hertz spindle{};                    // best estimate at the end of the block; 0: unknown
-  Hertz spindleSd{};                  // its doubt
-  SeriesLook series;                  // the lines of every channel, as of a few times a second
-  Hertz isolatedLine{};               // holds most of the vibration and cannot be forced (speed_tracker.h); 0: none
-  bool speedChanging = false;         // the angle follows a machine that changes its speed
+  Seconds alarmWait{};         // evidence must last so long: what seems to grow may be a drive's tone that glides
+  double levelTrend = 1.0;     // mean square of the last turn over that of the last few
+  Hertz spindle{};             // best estimate at the end of the block; 0: unknown
+  Hertz spindleSd{};           // its doubt
+  SeriesLook series;           // the lines of every channel, as of a few times a second
+  Hertz isolatedLine{};        // holds most of the vibration and cannot be forced (speed_tracker.h); 0: none
+  bool speedChanging = false;  // the angle follows a machine that changes its speed
   bool revolutionsComparable = true;  // false: its speed changes too fast to compare one turn with the next
   const double* samples = nullptr;    // [channel * stride + frame], SI units, high-passed; 0 of a channel left out
   std::ptrdiff_t stride = 0;

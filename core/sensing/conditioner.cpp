@@ -44,6 +44,9 @@ constexpr int kSideLines = 3;       // with the line itself: fewer stand on one 
 constexpr double kMostly = 0.5;     // of the line power
 constexpr double kExplained = 0.4;  // of the lines' weight by two series; by chance a quarter
 constexpr int kLooks = 3;           // on end
+// Lines of teeth that cut, with what they make vibrate: blows have many. A spindle that idles has one or two of its
+// own, and those of its motor and of fans.
+constexpr int kCutLines = 5;
 
 // Speed and current are integrals of the cutting torque and fall with the frequency; what an encoder or a converter
 // adds does not, and an encoder's rises with it. Above where tools chatter they tell nothing.
@@ -91,6 +94,8 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   filters_.assign(count, {});
   hums_.assign(count, {});
   for (HumCanceller& hum : hums_) hum.prepare(setup.rate);
+  drives_ = std::vector<DriveTone>(count);
+  for (DriveTone& drive : drives_) drive.prepare(setup.rate);
   const bool any = std::any_of(setup.channels.begin(), setup.channels.end(),
                                [](const ChannelInfo& c) { return hasLowPass(c.quantity); });
   integrals_.assign(any && kHighestChatter < setup.rate * 0.45 ? count : 0, {});
@@ -106,6 +111,8 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   speed_.prepare(setup, params.real(kSpeedRange));
   series_.prepare(setup, params.real(kSpeedRange));
   gate_.prepare(setup);
+  onlyForce_ = std::all_of(setup.channels.begin(), setup.channels.end(),
+                           [](const ChannelInfo& c) { return c.quantity == SensorQuantity::Force; });
   retune(params);
   reset();
   own_.set(OwnHighPass, highPass_.value, !params.isAutomatic(kHighPass) ? 0 : spindle.value > 0.0 ? 1 : 2);
@@ -127,6 +134,7 @@ void Conditioner::reset() noexcept {
   series_.reset();
   gate_.reset();
   for (HumCanceller& hum : hums_) hum.reset();
+  for (DriveTone& drive : drives_) drive.reset();
   out_ = {};
   restart();
   gapPending_ = false;
@@ -188,11 +196,16 @@ void Conditioner::makeSi(const SampleBlock& block) noexcept {
     double* row = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
     for (int f = 0; f < block.frames; ++f) row[f] = integrals_[c].process(row[f]);
   }
-  const Hertz spindle = speed_.known() ? speed_.spindle() : Hertz(0.0);
+  // Until the lines of a cut say which speed it is: the strongest line may be the hum itself, and be followed as the
+  // spindle's.
+  const SeriesLook& look = series_.newest();
+  const Hertz spindle = gate_.inCut() && look.certain && look.teethHeard ? look.spindle : speed_.told();
   for (std::size_t c = 0; c < hums_.size(); ++c) {
     const std::span<double> row(samples_.data() + c * static_cast<std::size_t>(capacity_),
                                 static_cast<std::size_t>(block.frames));
-    if (vibrates(setup_.channels[c].quantity)) hums_[c].process(row, spindle, !gate_.inCut());
+    if (!vibrates(setup_.channels[c].quantity)) continue;
+    hums_[c].process(row, spindle, !gate_.inCut());
+    drives_[c].process(row, gate_.phase() == CutPhase::Entry);
   }
   primed_ = true;
 }
@@ -232,7 +245,9 @@ void Conditioner::follow(int frames) noexcept {
     f += now;
     stepDone_ += now;
     if (stepDone_ < stepFrames_) continue;
-    speed_.look(Seconds(stepFrames_ / setup_.rate.value), gate_.phase() == CutPhase::Exit);
+    // A tone that glides takes the speed along where it crosses a harmonic.
+    if (doubtDrives().code == ReasonCode::None)
+      speed_.look(Seconds(stepFrames_ / setup_.rate.value), gate_.phase() == CutPhase::Exit);
     lookAtLines();
     advanceGate();
     stepDone_ = 0;
@@ -241,8 +256,13 @@ void Conditioner::follow(int frames) noexcept {
 }
 
 void Conditioner::lookAtLines() noexcept {
-  if (speed_.riding()) series_.interrupt();
+  if (speed_.riding() || doubtDrives().code != ReasonCode::None) series_.interrupt();
   if (!series_.due()) return;
+  std::array<double, kMaxChannels> standing{};
+  for (std::size_t c = 0; c < drives_.size(); ++c) {
+    if (drives_[c].standing()) standing[c] = drives_[c].frequency().value;
+  }
+  series_.setDrives(standing);
   series_.look(speed_.centre(), speed_.centreSd());
   series_.compare(speed_.foundFar() ? speed_.spindle() : Hertz(0.0));
   const SeriesLook& look = series_.newest();
@@ -261,9 +281,13 @@ void Conditioner::advanceGate() noexcept {
   const double spindle = speed_.known() ? speed_.spindle().value : 0.0;
   const Seconds turn = spindle > 0.0 ? Seconds(1.0 / spindle) : kTurnUnknown;
   const CutPhase before = gate_.phase();
-  gate_.setForced(speed_.forced() || chattersFromTheStart());
+  const SeriesLook& look = series_.newest();
+  // An idling spindle puts no force on the tool: any series of its orders is cut. In a slot that four teeth cut the
+  // tooth passing is nearly constant, and its runout is what a force sensor measures.
+  const bool teeth = speed_.forced() || (onlyForce_ && look.certain);
+  gate_.setForced((teeth && look.lines >= kCutLines) || chattersFromTheStart());
   gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.isolatedLine().value > 0.0 ||
-                      series_.newest().certain);
+                      (look.certain && look.teethHeard));
   for (double& s : squares_) s /= stepFrames_;
   gate_.advance(std::span(squares_).first(static_cast<std::size_t>(channels_)),
                 Seconds(stepFrames_ / setup_.rate.value), turn);
@@ -281,6 +305,16 @@ Reason Conditioner::doubtAir() const noexcept {
   return {ReasonCode::NoAirCutting, {tone.value}};
 }
 
+// A tone that glides is in whatever is compared. While the spindle changes its speed its own lines glide.
+Reason Conditioner::doubtDrives() const noexcept {
+  if (speed_.riding() || !gate_.inCut()) return {};
+  for (int c = 0; c < channels_; ++c) {
+    const DriveTone& drive = drives_[static_cast<std::size_t>(c)];
+    if (drive.unsettled() && !leftOut_.is(c)) return {ReasonCode::DriveTone, {drive.frequency().value}};
+  }
+  return {};
+}
+
 // The signal goes on, so that the speed is followed and recovery is seen; the detectors start anew after it.
 void Conditioner::checkSensors(const SampleBlock& block) noexcept {
   restoreLeftOut();
@@ -291,6 +325,7 @@ void Conditioner::checkSensors(const SampleBlock& block) noexcept {
     leftOut_.see(c, sensors_.status().channel[static_cast<std::size_t>(c)].fault, length);
   if (doubt.code == ReasonCode::None) doubt = leftOut_.allOut();
   if (doubt.code == ReasonCode::None) doubt = doubtAir();
+  if (doubt.code == ReasonCode::None) doubt = doubtDrives();
   if (doubted_ && doubt.code == ReasonCode::None) out_.afterGap = true;
   doubted_ = doubt.code != ReasonCode::None;
   if (!doubted_) return;
@@ -347,6 +382,9 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.speedChanging = speed_.riding();
   out_.revolutionsComparable = !speed_.moving();
   out_.phase = gate_.phase();
+  const bool drives =
+      std::any_of(drives_.begin(), drives_.end(), [](const DriveTone& drive) { return drive.expected(); });
+  out_.alarmWait = drives ? MovingTone::kRecognised : Seconds(0.0);
   out_.levelTrend = gate_.trend();
   checkSensors(block);
   tellOwn();

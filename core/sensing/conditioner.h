@@ -14,6 +14,7 @@
 #include "core/sensing/auto_values.h"
 #include "core/sensing/conditioned_block.h"
 #include "core/sensing/cut_gate.h"
+#include "core/sensing/drive_tone.h"
 #include "core/sensing/hum_canceller.h"
 #include "core/sensing/input_check.h"
 #include "core/sensing/left_out.h"
@@ -56,6 +57,7 @@ class Conditioner {
 
   const SpeedTracker& speed() const { return speed_; }
   const CutGate& gate() const { return gate_; }
+  const SeriesWatch& series() const { return series_; }
   const SensorStatus& sensors() const { return sensors_.status(); }
 
  private:
@@ -71,6 +73,7 @@ class Conditioner {
   bool chattersFromTheStart() const noexcept;
   void checkSensors(const SampleBlock& block) noexcept;
   Reason doubtAir() const noexcept;
+  Reason doubtDrives() const noexcept;
   void tellOwn() noexcept;
 
   AutoValues own_;
@@ -78,7 +81,8 @@ class Conditioner {
   int capacity_ = 0;
   int channels_ = 0;
   Hertz highPass_{};
-  bool primed_ = false;  // the first sample of each channel is known
+  bool onlyForce_ = false;  // every channel measures it
+  bool primed_ = false;     // the first sample of each channel is known
   bool gapPending_ = false;
   bool doubted_ = false;  // the sensors, by the block before
   InputCheck check_;
@@ -91,6 +95,7 @@ class Conditioner {
   dsp::kernels::Kernels kernels_;
   std::vector<dsp::Butterworth> filters_;
   std::vector<HumCanceller> hums_;
+  std::vector<DriveTone> drives_;
   std::vector<dsp::Butterworth> integrals_;  // low-pass of speed and current; none where there is neither
   std::vector<double> offset_;
   std::vector<double> samples_;

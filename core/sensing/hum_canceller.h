@@ -4,9 +4,9 @@
 // Of every such line a complex amplitude z is followed by least mean squares and its wave subtracted:
 //     e = x - sum 2 Re(z r),   z += mu e conj(r),   r = e^{j 2 pi f n / F_s},   mu = 1 / (0.3 s F_s)
 // which is a notch of half a hertz on either side (Widrow et al. 1975, "Adaptive noise cancelling", Proc. IEEE 63(12)).
-// A multiple of the spindle's frequency nearer than 2 Hz is the cut's, and is left alone; chatter that grows within
-// half a hertz of the mains has grown long before the notch has followed it. Thread: worker; everything but prepare()
-// is real-time.
+// What a multiple of the spindle's frequency may be as well (hum_watch.h) is the cut's, and is left alone; chatter that
+// grows within half a hertz of the mains has grown long before the notch has followed it. Thread: worker; everything
+// but prepare() is real-time.
 #pragma once
 
 #include <array>

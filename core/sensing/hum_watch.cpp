@@ -11,9 +11,12 @@ namespace {
 constexpr std::array<double, 2> kMains{50.0, 60.0};
 constexpr std::array<double, 4> kMultiples{1.0, 2.0, 3.0, 5.0};
 constexpr double kDecimated = 1000.0;  // Hz, about: five times 60 Hz lies well below half of it
-constexpr double kNearSpindle = 2.0;   // Hz: the width of a one-second window's line
 constexpr double kOffMains = 0.2;      // Hz: grids keep within 0.05, times five
-constexpr double kUsable = 0.45;       // of the rate
+// Hz, of a spindle's harmonic: nearer, the phases of a second do not tell it from the mains; and about 2 Hz away, where
+// it turns by a whole turn between the halves of a second.
+constexpr double kNearSpindle = 2.0 * kOffMains;
+constexpr double kWholeTurn = 2.0;
+constexpr double kUsable = 0.45;  // of the rate
 
 }  // namespace
 
@@ -91,7 +94,8 @@ bool HumWatch::onMains(const Line& line) const noexcept {
 bool HumWatch::nearOrder(std::size_t line, Hertz spindle) const noexcept {
   if (!(spindle.value > 0.0)) return false;
   const double order = lines_[line].frequency / spindle.value;
-  return std::abs(order - std::round(order)) * spindle.value < kNearSpindle;
+  const double away = std::abs(order - std::round(order)) * spindle.value;
+  return away < kNearSpindle || std::abs(away - kWholeTurn) < kNearSpindle;
 }
 
 void HumWatch::finish() noexcept {

@@ -1,6 +1,6 @@
 // Mains hum in one channel: what part of the vibration lies on the mains frequency and its multiples, over one second.
-// A line counts where no multiple of the spindle's frequency is near, and where it stands on the mains to a fifth of a
-// hertz: by its phase between the halves of a second and from one second to the next. No cut holds that.
+// A line counts where no multiple of the spindle's frequency reads the same, and where it stands on the mains to a
+// fifth of a hertz: by its phase between the halves of a second and from one second to the next. No cut holds that.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 

@@ -104,11 +104,14 @@ std::vector<RecordedTruthSample> seriesFrom(const Json& all) {
 }
 
 Json pack(const SessionGlance& glance) {
-  return {{"length", glance.length.value}, {"markers", glance.markers}, {"featuresOnly", glance.featuresOnly}};
+  return {{"length", glance.length.value}, {"markers", glance.markers},       {"featuresOnly", glance.featuresOnly},
+          {"alarms", glance.alarms},       {"alarmed", glance.alarmed.value}, {"started", glance.started_ns}};
 }
 
 SessionGlance glanceFrom(const Json& all) {
-  return {Seconds(all.at("length").get<double>()), all.at("markers").get<int>(), all.at("featuresOnly").get<bool>()};
+  return {Seconds(all.at("length").get<double>()),  all.at("markers").get<int>(),
+          all.at("featuresOnly").get<bool>(),       all.at("alarms").get<int>(),
+          Seconds(all.at("alarmed").get<double>()), all.at("started").get<std::int64_t>()};
 }
 
 Json pack(const SessionSketch& sketch) {

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_schema.h"
 #include "core/formats/sensor_notes.h"
 #include "core/session/open_recording.h"
 
@@ -16,6 +17,11 @@ std::string number(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
+}
+
+// What is not told is null and never 0.
+nlohmann::ordered_json known(double value) {
+  return value > 0.0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 std::string channelLine(std::size_t index, const RecordedChannel& channel) {
@@ -156,6 +162,7 @@ std::string toText(const RecordingDescription& description) {
         "doubt        too slow for vibration: is the first column no time in seconds? --rate HZ gives another rate\n";
   }
   for (std::size_t c = 0; c < format.channels.size(); ++c) text += channelLine(c, format.channels[c]);
+  if (format.started_ns > 0 && !description.session) text += "recorded     " + utcText(format.started_ns) + "\n";
   for (const std::string& skipped : format.skipped) text += "no channel   " + skipped + "\n";
   for (const Message& note : format.notes) text += "note         " + stillcut::text(note) + "\n";
   if (description.session) text += sessionText(description.path, format, *description.session);
@@ -164,12 +171,14 @@ std::string toText(const RecordingDescription& description) {
 
 std::string toJson(const RecordingDescription& description) {
   const RecordingFormat& format = description.format;
-  nlohmann::ordered_json json;
+  nlohmann::ordered_json json{{"schema", kJsonSchema}, {"command", "info"}, {"type", "answer"}};
   json["file"] = description.path;
   json["format"] = format.kind;
   json["rate_hz"] = format.rate.value;
   json["frames"] = format.frames;
   json["length_s"] = lengthOf(description).value;
+  json["started_utc_ms"] =
+      format.started_ns > 0 ? nlohmann::ordered_json(format.started_ns / 1'000'000) : nlohmann::ordered_json();
   json["channels"] = nlohmann::ordered_json::array();
   for (const RecordedChannel& channel : format.channels) {
     json["channels"].push_back({{"name", channel.info.name},
@@ -178,8 +187,8 @@ std::string toJson(const RecordingDescription& description) {
                                 {"unit", channel.unit},
                                 {"scale", channel.info.scale},
                                 {"axis", channel.info.axis},
-                                {"sensitivity_mv", channel.info.sensitivity},
-                                {"volts", channel.info.volts},
+                                {"sensitivity_mv", known(channel.info.sensitivity)},
+                                {"volts", known(channel.info.volts)},
                                 {"coupling", channel.info.coupling},
                                 {"place", channel.info.place}});
   }

@@ -8,11 +8,14 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <span>
 
 #include "core/base/sanitized.h"
 #include "core/formats/hdf5/hdf5_import.h"
 #include "core/formats/hdf5/isolated_messages.h"
+#include "core/formats/sound/sound_kinds.h"
+#include "core/formats/sound/wav_reader.h"
 #include "core/session/file/session_layout.h"
 #include "core/session/file/session_open.h"
 #include "core/session/file/session_reader.h"
@@ -30,10 +33,15 @@ void limit() {
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
 #if !defined(STILLCUT_SANITIZED_ADDRESSES) && !defined(STILLCUT_SANITIZED_THREADS)
+  // A made file may ask for any amount: the run beside it keeps three quarters of the computer's memory.
   constexpr rlim_t kMost = rlim_t{4} << 30U;
+  const auto physical = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  // ... but the libraries take some hundred MB of addresses before the first byte is read.
+  constexpr rlim_t kLeast = rlim_t{1} << 30U;
+  const rlim_t most = std::clamp(physical / 4, kLeast, kMost);
   rlimit memory{};
-  if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur > kMost) {
-    memory.rlim_cur = kMost;
+  if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur > most) {
+    memory.rlim_cur = most;
     setrlimit(RLIMIT_AS, &memory);
   }
 #endif
@@ -50,6 +58,13 @@ bool isSession(const std::string& path) {
 bool opensPlainly(const std::string& path) {
   quietHdf5();
   return static_cast<bool>(Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)));
+}
+
+bool beginsAsMpeg(const std::string& path) {
+  std::array<char, 4> head{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), head.size());
+  return isMpegAudio({head.data(), static_cast<std::size_t>(file.gcount())});
 }
 
 bool say(int peer, MessageType word, std::span<const std::byte> bytes = {}) {
@@ -147,6 +162,7 @@ int serveOpened(int peer, const Result<std::unique_ptr<RecordingReader>>& reader
 
 int serveIsolated(int peer, const std::string& path, const std::string& inner, const std::string& options) {
   limitIsolated();
+  if (inner.empty() && beginsAsMpeg(path)) return serveOpened(peer, openWav(path, apart::optionsFrom(options)));
   if (const auto ask = apart::askFrom(options)) return serveAnswer(peer, path, *ask);
   const bool session = inner.empty() && (isSession(path) || (!opensPlainly(path) && !isLeftOpen(path)));
   return serveOpened(peer, session ? here::openSession(path, apart::optionsFrom(options))

@@ -13,8 +13,12 @@
 #include "core/formats/matlab/mat_import.h"
 #include "core/formats/media/media_import.h"
 #include "core/formats/numpy/npy_import.h"
+#include "core/formats/sound/sound_kinds.h"
 #include "core/formats/sound/wav_reader.h"
+#include "core/formats/tdms/tdms_import.h"
+#include "core/formats/text/sheet_reader.h"
 #include "core/formats/text/text_reader.h"
+#include "core/formats/text/xlsx_text.h"
 #include "core/formats/universal/uff58.h"
 #include "core/formats/universal/uff_import.h"
 #include "core/session/file/session_reader.h"
@@ -22,27 +26,6 @@
 
 namespace stillcut::record {
 namespace {
-
-// MP3: a tag of ID3, or a frame's eleven set bits with layer III. UTF-16 begins with eleven set bits as well.
-bool isMpegAudio(std::string_view head) {
-  if (head.starts_with("ID3")) return true;
-  if (head.size() < 2) return false;
-  const auto first = static_cast<unsigned char>(head[0]);
-  const auto second = static_cast<unsigned char>(head[1]);
-  return first == 0xFFU && (second & 0xE0U) == 0xE0U && (second & 0x06U) == 0x02U;
-}
-
-// Formats of libsndfile, by what they begin with: RIFF and its kin, FLAC, AIFF, OGG, Sun and NeXT, CAF, Creative,
-// IRCAM, Ensoniq, NIST.
-bool isSound(std::string_view head) {
-  constexpr auto kMagics = std::to_array<std::string_view>(
-      {"RIFF", "RIFX", "RF64", "fLaC", "FORM", "OggS", "riff", ".snd", "dns.", "caff", "Creative Voice File", "2BIT",
-       "NIST_1A", "fap ", " paf", "\x64\xA3\x01", "\x64\xA3\x02", "\x64\xA3\x03", "\x64\xA3\x04"});
-  for (const std::string_view magic : kMagics) {
-    if (head.starts_with(magic)) return true;
-  }
-  return isMpegAudio(head);
-}
 
 bool hasSuffix(const std::string& path, std::string_view suffix) {
   return std::filesystem::path(path).extension() == suffix;
@@ -68,7 +51,8 @@ Status checkFile(const std::string& path) {
   const std::filesystem::file_status status = std::filesystem::status(path, problem);
   if (!std::filesystem::exists(status)) return Error{path, message("there is no such file")};
   if (std::filesystem::is_directory(status)) return Error{path, message("is a folder, not a recording")};
-  if (!std::filesystem::is_regular_file(status)) return Error{path, message("is not a regular file")};
+  if (!std::filesystem::is_regular_file(status))
+    return Error{path, message("is not a regular file"), message("a pipe is read as the standard input: - < FILE")};
   return Done{};
 }
 
@@ -85,9 +69,17 @@ IsolatedProgram decoder() {
           message("convert it to WAV: ffmpeg -i FILE cut.wav")};
 }
 
+// libsndfile's decoder of MP3 prints what it thinks of a damaged file: apart, nobody hears it.
+IsolatedProgram soundReader() {
+  IsolatedProgram program;
+  program.died = message("the decoder cannot read it");
+  return program;
+}
+
 // Sound by libsndfile; what that cannot read of a container, and every other container, by libavformat, apart.
 Result<std::unique_ptr<RecordingReader>> openSound(const std::string& name, std::string_view head,
                                                    const ReadOptions& options) {
+  if (isMpegAudio(head)) return withGaps(openIsolated(name, "", options, soundReader()), name);
   if (isSound(head) || !isMedia(head)) {
     auto opened = openWav(name, options);
     if (opened || !isMedia(head)) return withGaps(std::move(opened), name);
@@ -114,7 +106,9 @@ Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, 
   if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) return openIsolated(name, inner, options);
   if (head.starts_with("MATLAB 5.0")) return openMat5(name, inner, options);
   if (head.starts_with("PK\x03\x04") && isNpz(name)) return openNpz(name, inner, options);
-  if (!inner.empty()) return Error{path, message("only HDF5, MATLAB and NumPy files have places inside")};
+  if (head.starts_with("TDSm")) return openTdms(name, inner, options);
+  if (head.starts_with("PK\x03\x04") && isXlsx(name)) return openSheet(name, inner, options);
+  if (!inner.empty()) return Error{path, message("only HDF5, MATLAB, NumPy, TDMS and Excel files have places inside")};
   if (isNumpyArray(head)) return openNpy(name, options);
   if (const std::optional<Error> refused = refusalOf(name, head)) return *refused;
   if (hasSuffix(name, ".mat"))

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "core/formats/numpy/zip_listing.h"
+#include "core/formats/zip_listing.h"
 
 namespace stillcut::record {
 namespace {
@@ -13,9 +13,6 @@ Message fromPython() {
 }
 Message fromFeather() {
   return message("write it as CSV in Python: %1", "pandas.read_feather(FILE).to_csv('cut.csv')");
-}
-Message fromTdms() {
-  return message("export it as CSV, or write it as HDF5 in Python: %1", "nptdms.TdmsFile.read(FILE).as_hdf('cut.h5')");
 }
 Message fromMdf() {
   return message("write it as CSV in Python: %1", "asammdf.MDF(FILE).export('csv')");
@@ -43,7 +40,6 @@ constexpr auto kKinds = std::to_array<Kind>({
     {"PAR1", "Parquet", fromPython},
     {"ARROW1", "Arrow", fromFeather},
     {"FEA1", "Feather", fromFeather},
-    {"TDSm", "LabVIEW TDMS", fromTdms},
     {"TDSh", "LabVIEW TDMS index", besideIt},
     {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", "Excel 97", fromSheet},
     {"MDF     ", "MDF", fromMdf},
@@ -67,7 +63,6 @@ Error refusalOfZip(const std::string& path) {
   const Result<std::vector<ZipEntry>> entries = listZip(path);
   if (!entries) return entries.error();
   for (const ZipEntry& entry : *entries) {
-    if (entry.name == "xl/workbook.xml") return refused(path, "Excel (XLSX)", fromSheet());
     if (entry.name == "content.xml") return refused(path, "OpenDocument", fromSheet());
   }
   return refused(path, "ZIP", unpack());

@@ -112,7 +112,7 @@ Status checkRoom(const std::string& path, std::uint64_t bytes) {
   std::error_code problem;
   fs::path place = fs::absolute(path, problem);
   if (!fs::exists(place, problem)) place = place.parent_path();
-  if (access(place.c_str(), W_OK) != 0) return Done{};  // whoever writes there hears why it cannot be
+  if (access(place.c_str(), W_OK) != 0) return Done{};  // whoever writes there is told why it cannot be
   const fs::space_info space = fs::space(place, problem);
   const bool unknown = problem || space.capacity == 0;
   if (unknown || space.available >= bytes) return Done{};

@@ -1,7 +1,8 @@
-// What a list of recordings says of each session: its length and how many markers it holds, without reading its steps.
+// What a list of recordings says of each session: its length, its markers and its alarms, without reading its steps.
 // Thread: any; not real-time (file access by a process of its own, which may die of a damaged file).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,10 @@ namespace stillcut::record {
 struct SessionGlance {
   Seconds length{};  // from the first sample to the last, pauses included
   int markers = 0;
-  bool featuresOnly = false;  // a history without samples
+  bool featuresOnly = false;    // a history without samples
+  int alarms = 0;               // that began in it
+  Seconds alarmed{};            // from the beginning of each to its last alarming verdict
+  std::int64_t started_ns = 0;  // of the first sample, ns since 1970 UTC; 0: not told
 };
 
 // Nothing where the file is no session, is still being written, or was cut off: a glance repairs nothing. Nothing as

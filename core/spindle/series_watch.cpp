@@ -11,22 +11,23 @@ namespace {
 
 // Orders are told apart by 16 turns; lines of machine and chatter by 0.4 s, in which full chatter must be heard.
 constexpr double kTurns = 16.0;
-constexpr double kShortest = 0.4;     // s
-constexpr double kLongest = 2.0;      // s
-constexpr double kUnknown = 0.6;      // s, where nobody told a speed
-constexpr int kHops = 4;              // looks a window
-constexpr Hertz kHighest{6000.0};     // tools chatter below; above, sound holds what chips and air make
-constexpr double kUsableBand = 0.45;  // of the rate
-constexpr double kLowest = 0.5;       // orders: below are the high-pass and the machine's sway
-constexpr double kLineDoubt = 0.5;    // bins, to which a line's place is known
-constexpr double kMachines = 4.0;     // 6 dB: a line that rose by less since the air is the machine's
-constexpr double kLeaves = 0.5;       // of the power of the last looks: 3 dB less
-constexpr double kMargin = 1.2;       // past the stated doubt, so that its end is still a peak
-constexpr double kUnforced = 0.1;     // ... of what the teeth force: what rings on as they leave is no chatter
-constexpr double kSteady = 1.5e-3;    // relative: orders move by less than what tells lines apart
-constexpr double kAgrees = 2e-3;      // relative: further apart, one of two ways to tell the speed is wrong
-constexpr std::size_t kLobe = 2;      // bins beside a Hann line
-constexpr double kSpeedDoubt = 1e-4;  // of one cell of the belief
+constexpr double kShortest = 0.4;      // s
+constexpr double kLongest = 2.0;       // s
+constexpr double kUnknown = 0.6;       // s, where nobody told a speed
+constexpr int kHops = 4;               // looks a window
+constexpr Hertz kHighest{6000.0};      // tools chatter below; above, sound holds what chips and air make
+constexpr double kUsableBand = 0.45;   // of the rate
+constexpr double kLowest = 0.5;        // orders: below are the high-pass and the machine's sway
+constexpr double kLineDoubt = 0.25;    // bins, to which a line's place is known
+constexpr double kMachines = 4.0;      // 6 dB: a line that rose by less since the air is the machine's
+constexpr double kLeaves = 0.5;        // of the power of the last looks: 3 dB less
+constexpr double kMargin = 1.2;        // past the stated doubt, so that its end is still a peak
+constexpr double kUnforced = 0.1;      // ... of what the teeth force: what rings on as they leave is no chatter
+constexpr double kSteady = 1.5e-3;     // relative: orders move by less than what tells lines apart
+constexpr double kAgrees = 2e-3;       // relative: further apart, one of two ways to tell the speed is wrong
+constexpr double kDriveRipple = 20.0;  // Hz: what is left of a drive's tone as its torque ripples
+constexpr std::size_t kLobe = 2;       // bins beside a Hann line
+constexpr double kSpeedDoubt = 1e-4;   // of one cell of the belief
 
 // Below this part of the most that it was of late; the newest value goes into the row.
 template <std::size_t N>
@@ -66,6 +67,7 @@ void SeriesWatch::reset() noexcept {
   since_ = inAir_ = inCut_ = 0;
   levels_ = forced_ = {};
   speeds_ = {};
+  drives_ = {};
   centre_ = 0.0;
   airHeard_ = false;
   for (auto& row : air_) std::fill(row.begin(), row.end(), 0.0);
@@ -94,7 +96,18 @@ void SeriesWatch::learnAir(std::size_t channel) noexcept {
   airHeard_ = true;
 }
 
+void SeriesWatch::setDrives(std::span<const double> hertz) noexcept {
+  drives_ = {};
+  std::copy(hertz.begin(), hertz.end(), drives_.begin());
+}
+
+bool SeriesWatch::besideDrive(Hertz line) const noexcept {
+  return std::any_of(drives_.begin(), drives_.end(),
+                     [line](double drive) { return drive > 0.0 && std::abs(line.value - drive) < kDriveRipple; });
+}
+
 void SeriesWatch::markMachines(std::size_t channel) noexcept {
+  for (SpectralLine& line : lists_[channel].lines()) line.machines = besideDrive(line.frequency);
   if (!airHeard_) return;
   const std::vector<double>& air = air_[channel];
   for (SpectralLine& line : lists_[channel].lines()) {
@@ -102,7 +115,7 @@ void SeriesWatch::markMachines(std::size_t channel) noexcept {
     for (std::size_t b = line.bin - std::min(line.bin, kLobe); b <= line.bin + kLobe && b < air.size(); ++b) {
       most = std::max(most, air[b]);
     }
-    line.machines = line.power < kMachines * most;
+    line.machines = line.machines || line.power < kMachines * most;
   }
 }
 
@@ -114,7 +127,7 @@ void SeriesWatch::gather(Hertz told) noexcept {
     spectrum_.powers(powers_);
     lists_[c].find(powers_, told * kLowest, high);
     markMachines(c);
-    if (inAir_ >= window_) learnAir(c);
+    if (inAir_ >= window_ + hop_) learnAir(c);  // what the first look finds may yet be a cut
     series_.add(lists_[c].lines());
   }
   look_.whole = inCut_ >= window_;
@@ -156,7 +169,10 @@ double SeriesWatch::expectedShare(std::size_t channel, Hertz told) const noexcep
 }
 
 void SeriesWatch::judge(Hertz told) noexcept {
+  const Hertz before = look_.spindle;
   look_.spindle = told * belief_.ratio();
+  // What stood on the orders of another speed is no measure of what the teeth force.
+  if (std::abs(look_.spindle.value - before.value) > kSteady * before.value) forced_ = {};
   look_.sd = belief_.sd();
   look_.certain = belief_.certain() && !belief_.atEdge();
   look_.certainty = belief_.atEdge() ? 0.0 : belief_.certainty();
@@ -166,12 +182,14 @@ void SeriesWatch::judge(Hertz told) noexcept {
   look_.free = {};
   std::array<double, kMaxChannels> off{};
   std::array<double, kMaxChannels> all{};
+  std::array<double, kMaxChannels> onOrders{};
   for (std::size_t c = 0; c < lists_.size(); ++c) {
     FreeFamily free = series_.freeOf(lists_[c].lines(), look_.spindle, look_.sd);
     const Hertz alone = told * belief_.ofNewest();
     const double ofNewest = series_.freeOf(lists_[c].lines(), alone, kSpeedDoubt).share;
-    free.share = std::min({free.share, expectedShare(c, told), ofNewest});
     for (const SpectralLine& line : lists_[c].lines()) all[c] += line.machines ? 0.0 : line.power;
+    onOrders[c] = (1.0 - free.share) * all[c];
+    free.share = std::min({free.share, expectedShare(c, told), ofNewest});
     off[c] = free.share * all[c];
     if (c == 0 || free.share > look_.free.share) {
       look_.free = free;
@@ -186,13 +204,15 @@ void SeriesWatch::judge(Hertz told) noexcept {
   }
   double offAll = 0.0;
   double inAll = 0.0;
+  double forced = 0.0;
   for (std::size_t c = 0; c < lists_.size(); ++c) {
     if (quantities_[c] != quantities_[static_cast<std::size_t>(look_.channel)]) continue;
     offAll += off[c];
     inAll += all[c];
+    forced += onOrders[c];
   }
   const bool quieter = fell(levels_, inAll, kLeaves);
-  const bool unforced = fell(forced_, inAll - offAll, kUnforced);
+  const bool unforced = fell(forced_, forced, kUnforced);
   look_.leaving = quieter || unforced;
   look_.joint = inAll > 0.0 ? offAll / inAll : 0.0;
   watchSpeed(told * belief_.ofNewest());

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/dsp/frame_ring.h"
@@ -52,6 +53,9 @@ class SeriesWatch {
   // The speed that is followed by the phases of the forced vibration, far from the told one; 0: none is.
   void compare(Hertz followed) noexcept;
   bool due() const noexcept { return remembered_ >= window_ && since_ >= hop_; }
+  // Where the tone of an axis drive stands (core/sensing/drive_tone.h), by any channel; 0: none does. What is beside it
+  // within kDriveRipple is the machine's in every channel.
+  void setDrives(std::span<const double> hertz) noexcept;
   // told: the speed around which to look. sd: its doubt, relative.
   void look(Hertz told, double sd) noexcept;
 
@@ -60,6 +64,7 @@ class SeriesWatch {
  private:
   void learnAir(std::size_t channel) noexcept;
   void markMachines(std::size_t channel) noexcept;
+  bool besideDrive(Hertz line) const noexcept;
   void gather(Hertz told) noexcept;
   void judge(Hertz told) noexcept;
   void watchSpeed(Hertz newest) noexcept;
@@ -82,7 +87,8 @@ class SeriesWatch {
   std::array<double, kLevels> levels_{};  // power of the lines of the last looks
   std::array<double, kLevels> forced_{};  // ... on the orders
   static constexpr std::size_t kSpeeds = 4;
-  std::array<double, kSpeeds> speeds_{};  // Hz, of the looks of a window
+  std::array<double, kSpeeds> speeds_{};       // Hz, of the looks of a window
+  std::array<double, kMaxChannels> drives_{};  // Hz
   std::vector<LineList> lists_;
   TwoSeries series_;
   SpeedBelief belief_;

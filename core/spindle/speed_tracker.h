@@ -47,6 +47,7 @@ class SpeedTracker {
   // Around which they are to look, and its doubt as a ratio.
   Hertz centre() const noexcept;
   double centreSd() const noexcept;
+  Hertz told() const noexcept { return Hertz(told_); }  // by machine or setup
 
   Hertz spindle() const noexcept { return Hertz(told_ * ratio_); }
   Hertz sd() const noexcept;

@@ -30,10 +30,24 @@ void TwoSeries::add(std::span<const SpectralLine> lines) noexcept {
     if (!line.machines) most = std::max(most, line.power);
   }
   if (!(most > 0.0)) return;
+  const std::size_t others = count_;
   for (const SpectralLine& line : lines) {
-    if (line.machines || count_ == kMostLines) continue;
-    lines_[count_++] = {line.frequency.value, std::log1p(kRange * line.power / most)};
+    if (line.machines) continue;
+    const double weight = std::log1p(kRange * line.power / most);
+    if (Weighted* same = heardBefore(line.frequency.value, others)) {
+      if (weight > same->weight) *same = {line.frequency.value, weight};
+    } else if (count_ < kMostLines) {
+      lines_[count_++] = {line.frequency.value, weight};
+    }
   }
+}
+
+// By another channel: of the first `others`.
+TwoSeries::Weighted* TwoSeries::heardBefore(double frequency, std::size_t others) noexcept {
+  for (std::size_t i = 0; i < others; ++i) {
+    if (std::abs(lines_[i].frequency - frequency) < 2.0 * doubt_) return &lines_[i];
+  }
+  return nullptr;
 }
 
 double TwoSeries::onOrder(double frequency, double spindle, double relative) const noexcept {

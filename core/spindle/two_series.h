@@ -32,7 +32,8 @@ class TwoSeries {
  public:
   // Forgets the lines. doubt: to which a line's frequency is known.
   void begin(Hertz doubt) noexcept;
-  // The lines of one channel; those that are the machine's do not count. At most kMostLines in all are taken.
+  // The lines of one channel; those that are the machine's do not count. What several channels receive is one line of
+  // the cut, and counts once, as where it is strongest. At most kMostLines in all are taken.
   void add(std::span<const SpectralLine> lines) noexcept;
   int lines() const noexcept { return static_cast<int>(count_); }
 
@@ -53,6 +54,7 @@ class TwoSeries {
     double frequency = 0.0;
     double weight = 0.0;
   };
+  Weighted* heardBefore(double frequency, std::size_t others) noexcept;
   double onOrder(double frequency, double spindle, double relative) const noexcept;
 
   double doubt_ = 1.0;  // Hz

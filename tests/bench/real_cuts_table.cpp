@@ -43,7 +43,8 @@ void printLook(const detect::ConditionedBlock& block) {
   if (l.count == last) return;
   last = l.count;
   std::printf(
-      "%8.3f %-6s %8.1f rpm used %8.1f sd %.4f certainty %.2f teeth %d lines %2d explained %.2f  off %.2f joint %.2f "
+      "%8.3f %-6s %8.1f rpm used %8.1f sd %.4f certainty %.2f teeth %d lines %2d explained %.2f  off %.2f joint "
+      "%.2f "
       "at %7.1f Hz %+.3f x%d channel %d%s%s%s%s\n",
       sinceEpoch(block.end()).value, std::string(name(block.phase)).c_str(), 60.0 * l.spindle.value,
       60.0 * block.spindle.value, l.sd, l.certainty, l.teethHeard, l.lines, l.explained, l.free.share, l.joint,
@@ -52,8 +53,8 @@ void printLook(const detect::ConditionedBlock& block) {
 }
 
 bool judge(const RealCut& cut, const std::vector<int>& channels, double error, const std::vector<std::string>& wanted,
-           bool looks = false) {
-  const auto all = judgeRealCut(cut, channels, error, wanted, 0.0,
+           double begin, bool looks = false) {
+  const auto all = judgeRealCut(cut, channels, error, wanted, begin,
                                 looks ? printLook : std::function<void(const detect::ConditionedBlock&)>());
   if (!all) {
     std::fprintf(stderr, "%s\n", all.error().line().c_str());
@@ -63,7 +64,8 @@ bool judge(const RealCut& cut, const std::vector<int>& channels, double error, c
   return true;
 }
 
-int table(const std::vector<std::string>& wanted, bool each, const std::string& only, double looksAt) {
+int table(const std::vector<std::string>& wanted, bool each, const std::string& only, double looksAt, double begin,
+          int axis) {
   const std::filesystem::path recordings = std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings";
   std::vector<RealCut> cuts = realCuts(recordings);
   for (const RealCut& later : laterCuts(recordings)) cuts.push_back(later);
@@ -74,14 +76,14 @@ int table(const std::vector<std::string>& wanted, bool each, const std::string& 
   for (const RealCut& cut : cuts) {
     if (cut.file.string().find(only) == std::string::npos) continue;
     if (looksAt > -1.0) {
-      judge(cut, cut.channels, looksAt, wanted, true);
+      judge(cut, axis >= 0 ? std::vector<int>{axis} : cut.channels, looksAt, wanted, begin, true);
       continue;
     }
     std::vector<std::vector<int>> sets{cut.channels};
     if (each && cut.channels.empty() && cut.file.filename() != "audio_T2503") sets.insert(sets.end(), {{0}, {1}, {2}});
     for (const auto& channels : sets) {
       for (const double error : kErrors) {
-        if (!judge(cut, channels, error, wanted)) return 1;
+        if (!judge(cut, channels, error, wanted, begin)) return 1;
       }
     }
   }
@@ -96,18 +98,26 @@ int main(int argc, char** argv) {
   const bool each = std::erase(wanted, "--each") > 0;
   std::string only;
   double looksAt = -1.0;
+  double begin = 0.0;
+  int axis = -1;
   for (auto w = wanted.begin(); w != wanted.end();) {
     const bool file = *w == "--file";
-    if ((!file && *w != "--looks") || w + 1 == wanted.end()) {
+    const bool begins = *w == "--begin";
+    const bool alone = *w == "--axis";
+    if ((!file && !begins && !alone && *w != "--looks") || w + 1 == wanted.end()) {
       ++w;
       continue;
     }
     if (file) {
       only = *(w + 1);
+    } else if (alone) {
+      axis = std::atoi((w + 1)->c_str());
+    } else if (begins) {
+      begin = std::atof((w + 1)->c_str());
     } else {
       looksAt = std::atof((w + 1)->c_str());
     }
     w = wanted.erase(w, w + 2);
   }
-  return stillcut::bench::table(wanted, each, only, looksAt);
+  return stillcut::bench::table(wanted, each, only, looksAt, begin, axis);
 }

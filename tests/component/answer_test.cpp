@@ -134,7 +134,7 @@ TEST(Answer, NamesChatterSpeedsAndDepth) {
             "try 9,010 or 10,010 rev/min (5 or 4½ waves of 1502 Hz between two teeth instead of 4.74), or less depth");
   a.advice.depthLimit = Metres(1.25e-3);
   EXPECT_THAT(text(adviceSentence(a.advice, english)), testing::EndsWith("or less than 1.25 mm of depth"));
-  EXPECT_EQ(text(judgedSentence(a, english)), "judged 6.0 of 8.0 s; the rest: 2.0 s of air");
+  EXPECT_EQ(text(judgedSentence(a, english)), "judged 6.0 of 8.0 s; the rest: 2.0 s of air cutting");
 }
 
 TEST(Answer, SaysWhyNoSpeedFollows) {
@@ -159,7 +159,7 @@ TEST(Answer, NotJudgedNamesTheReason) {
   EXPECT_EQ(text(findingSentence(a, englishWriting())), "not judged: channel 2 delivers a constant");
   a.notJudged.clear();
   a.air = a.length;
-  EXPECT_EQ(text(findingSentence(a, englishWriting())), "not judged: no cut was heard");
+  EXPECT_EQ(text(findingSentence(a, englishWriting())), "not judged: no cut was measured");
 }
 
 TEST(AudacityLabels, HaveTheAlarmItsBandAndWhatWasNotJudged) {

@@ -5,7 +5,7 @@
 
 #include "app/compose/rig.h"
 #include "core/cnc/simulated_machine.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "tests/support/demo_cut.h"
 
 namespace stillcut::test {

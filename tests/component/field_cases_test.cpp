@@ -35,12 +35,7 @@ namespace {
 struct Short {
   std::string_view name, found;
 };
-constexpr auto kShortToday = std::to_array<Short>({
-    {"slot_3000_order_26_950_entry", "in alarm 19 % of it, 1 alarms"},
-    {"slot_stable", "1 alarms, the first at 3.52 s"},
-    {"axis_drive_weak", "7 alarms, the first at 3.34 s"},
-    {"axis_drive_loud", "5 alarms, the first at 2.71 s"},
-});
+constexpr std::array<Short, 0> kShortToday{};
 
 template <class Made>
 struct Named {

@@ -8,6 +8,7 @@
 
 #include "app/compose/profile_rig.h"
 #include "core/milling/simulation/scenario.h"
+#include "core/milling/stability/exact_lobes.h"
 #include "core/milling/stability/lobe_case.h"
 #include "core/pipeline/catalog.h"
 #include "tests/support/temp_folder.h"
@@ -58,16 +59,46 @@ TEST_F(KnownLobes, WithoutAModelNothingIsKnown) {
   EXPECT_FALSE((*rig)->setup().stableSpeeds.has_value());
 }
 
-TEST_F(KnownLobes, WithoutADepthOrWithAnUnevenPitchTheCutRunsAndNothingIsKnown) {
+TEST_F(KnownLobes, WithoutADepthTheCutRunsAndNothingIsKnown) {
   profile_.depth = {};
   const auto shallow = buildProfileRig(profile_, path("mill.toml"));
   ASSERT_TRUE(shallow.ok()) << shallow.error().line();
   EXPECT_FALSE((*shallow)->setup().stableSpeeds.has_value());
-  profile_.depth = Metres(1.5e-3);
+}
+
+// Of the tool in the spindle, not of the one the modes were measured with.
+TEST_F(KnownLobes, AnUnevenPitchHasStableSpeedsOfItsOwn) {
+  const auto even = stableSpeeds(profile_, path("cut.toml"));
   profile_.pitch = {80.0, 100.0, 80.0, 100.0};
-  const auto uneven = buildProfileRig(profile_, path("mill.toml"));
-  ASSERT_TRUE(uneven.ok()) << uneven.error().line();
-  EXPECT_FALSE((*uneven)->setup().stableSpeeds.has_value()) << "the lobes of an even pitch are not this tool's";
+  const auto uneven = stableSpeeds(profile_, path("cut.toml"));
+  ASSERT_TRUE(even.ok() && uneven.ok());
+  ASSERT_TRUE(even.value() && uneven.value());
+  const auto edges = [](const StableSpeeds& speeds) {
+    std::vector<double> list;
+    for (const auto& range : speeds.ranges) list.insert(list.end(), {range.from.value, range.to.value});
+    return list;
+  };
+  EXPECT_NE(edges(**even), edges(**uneven));
+  const auto lobes = milling::ExactLobes::make(cutOfProfile(profile_, path("cut.toml"))->model, "cut");
+  ASSERT_TRUE(lobes.ok());
+  for (const auto& range : (*uneven)->ranges) {
+    const auto limits = lobes->limits(range.best, {4.0 * profile_.depth, true, false, {}});
+    ASSERT_TRUE(limits.ok());
+    EXPECT_TRUE(limits->stableAt(profile_.depth)) << range.best.value;
+  }
+}
+
+TEST_F(KnownLobes, TheProfileNamesAMaterialOfTheTable) {
+  const double own = cutOfProfile(profile_, path("cut.toml"))->model.material.tangential;
+  profile_.material = "7075-T6";
+  const auto cut = cutOfProfile(profile_, path("cut.toml"));
+  ASSERT_TRUE(cut.ok());
+  EXPECT_NE(cut->model.material.tangential, own);
+  EXPECT_EQ(cut->model.material.tangential, 767e6);
+  profile_.material = "7075-T8";
+  const auto unknown = stableSpeeds(profile_, path("cut.toml"));
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_NE(unknown.error().line().find("did you mean '7075-T6'?"), std::string::npos) << unknown.error().line();
 }
 
 TEST_F(KnownLobes, AModelThatIsMissingOrOfAnotherToolIsOneLine) {

@@ -9,7 +9,7 @@
 
 #include "app/compose/recording_rig.h"
 #include "core/cnc/simulated_machine.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "core/detect/registry.h"
 #include "core/formats/sound/wav_reader.h"
 #include "core/session/convert_recording.h"

@@ -14,7 +14,7 @@
 #include "app/compose/recording_rig.h"
 #include "app/compose/run_text.h"
 #include "core/cnc/simulated_machine.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "core/session/open_recording.h"
 #include "tests/component/same_bits.h"
 #include "tests/support/demo_cut.h"

@@ -10,7 +10,7 @@
 
 #include "core/cnc/simulated_machine.h"
 #include "core/control/registry.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "core/detect/registry.h"
 #include "core/pipeline/link_runner.h"
 #include "core/pipeline/step_loop.h"

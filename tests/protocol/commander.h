@@ -36,6 +36,7 @@ class Commander {
     pollfd inForce{pipe_[0], POLLIN, 0};
     return ::poll(&inForce, 1, 15000) == 1;
   }
+  pid_t process() const { return child_; }
   void signal(int number) const { ::kill(child_, number); }
 
  private:

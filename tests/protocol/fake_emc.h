@@ -20,6 +20,8 @@ struct FakeMill {
   Dialect dialect = Dialect::Old;
   int feed = 100, spindle = 100;
   int shownFeed = 100, shownSpindle = 100;  // read-back
+  int lost = 0;                             // so many of the next orders are acknowledged and forgotten
+  int lies = 0, liedPercent = 0;            // so many of the next answers to both say this
   double s = 8000.0, f = 600.0;
   bool inches = false;
   bool machineOn = true, running = true, paused = false;
@@ -126,6 +128,10 @@ class FakeEmcClient final : public Peer {
     set(std::to_string(percent), "SPINDLE_OVERRIDE", mill_.spindle, mill_.shownSpindle, answer);
   }
   std::string shown(int percent) const {
+    if (mill_.lies > 0) {
+      --mill_.lies;
+      percent = mill_.liedPercent;
+    }
     return std::to_string(percent) + (mill_.dialect == Dialect::Master ? ".000000" : "");
   }
   void set(const std::string& value, const std::string& what, int& inForce, int& shown, const Answer& answer) {
@@ -135,7 +141,11 @@ class FakeEmcClient final : public Peer {
       return;
     }
     ++mill_.sets;
-    inForce = shown = std::stoi(value);
+    if (mill_.lost > 0) {
+      --mill_.lost;
+    } else {
+      inForce = shown = std::stoi(value);
+    }
     if (mill_.mumbles) return answer("okay, done\r\n", 0.1);
     ack(what, true, 0.1, answer);
   }

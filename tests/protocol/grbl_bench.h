@@ -5,7 +5,7 @@
 
 #include "core/cnc/grbl/grbl_link.h"
 #include "tests/protocol/commands.h"
-#include "tests/support/fake_grbl.h"
+#include "tests/support/grbl/fake_grbl.h"
 
 namespace stillcut::cnc::testing {
 

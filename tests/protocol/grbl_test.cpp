@@ -8,7 +8,7 @@
 
 #include "tests/protocol/commands.h"
 #include "tests/protocol/grbl_bench.h"
-#include "tests/support/fake_grbl.h"
+#include "tests/support/grbl/fake_grbl.h"
 
 namespace stillcut::cnc {
 namespace {

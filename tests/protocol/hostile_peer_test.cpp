@@ -11,7 +11,7 @@
 #include "core/cnc/modbus/modbus_link.h"
 #include "tests/protocol/emc_bench.h"
 #include "tests/protocol/modbus/fake_plc.h"
-#include "tests/support/fake_grbl.h"
+#include "tests/support/grbl/fake_grbl.h"
 
 namespace stillcut::cnc {
 namespace {
@@ -112,6 +112,37 @@ TEST(HostileLinuxCnc, AFloodHoldsUpNoReleaseAndNoTick) {
     EXPECT_EQ(b.mill.spindle, 100) << flood.substr(0, 20);
     EXPECT_EQ(b.mill.feed, 100) << flood.substr(0, 20);
     EXPECT_LT(secondsBetween(began, b.clock.now()).value, toSeconds(LinuxCncLink::kReleaseTime).value + 0.1);
+  }
+}
+
+// 93 for 83, once and for three seconds: nothing is moved by it, and once it is over there is a way home.
+TEST(HostileLinuxCnc, AFalseReportIsNoHandAndLeavesNothingBehind) {
+  for (const int lies : {1, 2, 30}) {
+    for (const bool offWhileItLies : {false, true}) {
+      EmcBench b;
+      b.run(0.5);
+      const OverrideCommand command = b.gate.set(83.0);
+      b.link->apply(command, b.clock.now());
+      b.run(1.0);
+      ASSERT_EQ(b.mill.spindle, 83);
+      const int sets = b.mill.sets;
+      b.mill.lies = lies;
+      b.mill.liedPercent = 93;
+      for (int i = 0; i < 300; ++i) {
+        if (!offWhileItLies) b.link->apply(command, b.clock.now());
+        if (offWhileItLies && i == 30) b.link->release(b.clock.now());
+        b.run(0.01);
+        EXPECT_GE(std::min(b.mill.spindle, b.mill.feed), 83);
+        EXPECT_LE(std::max(b.mill.spindle, b.mill.feed), 100);
+      }
+      b.mill.lies = 0;
+      EXPECT_TRUE(offWhileItLies || b.mill.sets == sets) << "something is sent for a lie";
+      b.link->release(b.clock.now());
+      const MachineState m = b.run(1.0);
+      EXPECT_EQ(b.mill.spindle, 100) << lies << offWhileItLies;
+      EXPECT_EQ(b.mill.feed, 100) << lies << offWhileItLies;
+      EXPECT_EQ(m.operatorSpeed.value, 1.0) << "a lie is nobody's choice";
+    }
   }
 }
 

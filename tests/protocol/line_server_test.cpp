@@ -6,12 +6,16 @@
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <fstream>
 #include <memory>
 #include <vector>
 
+#include "app/hal/local_user.h"
+#include "tests/support/child.h"
 #include "tests/support/virtual_clock.h"
 
 namespace stillcut::hal {
@@ -108,6 +112,61 @@ TEST_F(LineServerTest, EndlessLineIsDroppedAndTheServerGoesOn) {
   caller->say("\nstill there\n");
   turn();
   EXPECT_NE(caller->hear().find("still there"), std::string::npos);
+}
+
+// The override of a machine is its own user's to move. As root the caller is another user; as anybody else the server
+// is another user's, which comes to the same.
+TEST_F(LineServerTest, AnotherUsersProgramIsHungUpOnAndTakesNobodysPlace) {
+  constexpr uid_t kNobody = 65534;
+  const bool root = ::geteuid() == 0;
+  LineServer server(clock_, root ? 0 : ::geteuid() + 1);
+  ASSERT_TRUE(server.listen("127.0.0.1", 0).ok());
+  int lines = 0;
+  const LineServer::Handlers counting{[&](int, std::string_view) -> std::string_view { return ++lines, ""; },
+                                      [](int) {}};
+  for (std::size_t k = 0; k <= LineServer::kClients; ++k) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      if (root && ::setuid(kNobody) != 0) ::_exit(2);
+      const Caller caller(server.port());
+      caller.say("set 50 50 1 100 100\n");
+      ::_exit(caller.hear(5000) == "gone" ? 0 : 1);
+    }
+    int status = -1;
+    while (::waitpid(child, &status, WNOHANG) == 0) server.serve(std::chrono::milliseconds(1), counting);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(lines, 0);
+  if (!root) return;
+  const Caller own(server.port());
+  own.say("here\n");
+  for (int i = 0; i < 10; ++i) server.serve(std::chrono::milliseconds(1), counting);
+  EXPECT_EQ(lines, 1);
+}
+
+// A line of the kernel's list, as it was seen for a client that had closed its end: user 0, whoever it was.
+TEST(LocalUser, AnEndThatIsNoLongerHeldIsNobodys) {
+  const cnc::testing::TemporaryFolder folder;
+  std::ofstream(folder.file("tcp"))
+      << "  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid  timeout inode\n"
+         "   0: 0100007F:E5A0 0100007F:80C5 04 00000000:00000000 01:00000A6E 00000000     0        0 0 3\n"
+         "   1: 0100007F:E5A1 0100007F:1F90 01 00000000:00000000 00:00000000 00000000     0        0 76 1\n"
+         "   2: 0100007F:E5A1 0100007F:80C5 01 00000000:00000000 00:00000000 00000000  1000        0 77 1\n";
+  sockaddr_in peer{};
+  sockaddr_in here{};
+  here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  here.sin_port = htons(0x80C5);
+  peer.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  peer.sin_port = htons(0xE5A0);
+  EXPECT_EQ(localUser(peer, here, folder.file("tcp")), std::nullopt);
+  peer.sin_port = htons(0xE5A1);
+  // Root has a connection from the same port, to another end.
+  EXPECT_EQ(localUser(peer, here, folder.file("tcp")), uid_t{1000});
+  peer.sin_port = htons(0xE5A2);
+  EXPECT_EQ(localUser(peer, here, folder.file("tcp")), std::nullopt);
+  EXPECT_TRUE(isLoopback(peer));
+  peer.sin_addr.s_addr = htonl(0xC0A80105);
+  EXPECT_FALSE(isLoopback(peer));
 }
 
 }  // namespace

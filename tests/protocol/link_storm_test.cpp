@@ -19,7 +19,7 @@
 #include "tests/protocol/fake_emc.h"
 #include "tests/protocol/fake_hal.h"
 #include "tests/protocol/modbus/fake_plc.h"
-#include "tests/support/fake_grbl.h"
+#include "tests/support/grbl/fake_grbl.h"
 
 namespace stillcut::cnc {
 namespace {

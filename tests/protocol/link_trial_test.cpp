@@ -14,13 +14,14 @@ namespace {
 class Machine final : public CncLink {
  public:
   explicit Machine(test::VirtualClock& clock) : clock_(clock) {}
-  bool there = true, readable = true, watchdog = false, measures = true;
+  bool there = true, readable = true, watchdog = false, kept = false, measures = true;
   int lostLooks = 0, closed = 0, moved = 0;
 
   LinkInfo describe() const override {
     LinkInfo info;
     info.label = "Mill";
     info.machineWatchdog = watchdog;
+    info.kept = kept;
     return info;
   }
   Status open() override {
@@ -82,6 +83,27 @@ TEST(LinkTrial, SaysWhetherTheMachineWatches) {
   Bench with;
   with.machine.watchdog = true;
   EXPECT_NE(text(with.run().said).find("goes back by itself"), std::string::npos);
+  Bench kept;
+  kept.machine.kept = true;
+  EXPECT_NE(text(kept.run().said).find("they stay where both are killed at once"), std::string::npos);
+}
+
+// Where a run holds the machine nothing more is asked of it: the run tells the same, and says so.
+TEST(LinkTrial, AsTheRunTells) {
+  Bench b;
+  MachineState m = b.machine.read(b.clock.now());
+  m.link.roundTrip = Seconds(0.0048);
+  const auto steps = LinkTrial::ofRun(b.machine.describe(), m, Seconds(0.012), Seconds(0.096));
+  ASSERT_EQ(steps.size(), LinkTrial::kSteps);
+  EXPECT_EQ(text(steps[0].said), "Mill answers; as the run that holds the machine tells: nothing more was asked");
+  EXPECT_EQ(text(steps[2].said), "a look takes 4.8 ms, and what it shows is 12.0 ms old");
+  b.run();
+  EXPECT_EQ(text(steps[1].said), text(b.trial.steps()[1].said));
+  EXPECT_NE(text(steps[3].said).find("an order was seen to act, and to be taken back, after 96 ms"), std::string::npos);
+  m.valid = false;
+  const auto silent = LinkTrial::ofRun(b.machine.describe(), m, Seconds(3.0), {});
+  EXPECT_EQ(silent.size(), 2U);
+  EXPECT_FALSE(silent.back().good);
 }
 
 // What a machine can do is what it was told it can, until an order has shown it.
@@ -122,13 +144,14 @@ TEST(LinkTrial, EverythingThatItSaysIsListedForTranslation) {
   const auto listed = [](const std::string& form) {
     return std::ranges::any_of(LinkTrial::words(), [&form](const char* word) { return form == word; });
   };
-  Bench plain, doubtful, mute, blind;
+  Bench plain, kept, doubtful, mute, blind;
+  kept.machine.kept = true;
   blind.machine.measures = false;
   doubtful.machine.watchdog = true;
   doubtful.trial.proved(Seconds(0.1));
   doubtful.machine.lostLooks = 20;
   mute.machine.readable = false;
-  for (Bench* b : {&plain, &doubtful, &mute, &blind}) {
+  for (Bench* b : {&plain, &kept, &doubtful, &mute, &blind}) {
     b->run();
     for (const LinkTrialStep& step : b->trial.steps()) {
       for (const Message& phrase : step.said) EXPECT_TRUE(listed(phrase.form)) << phrase.form;

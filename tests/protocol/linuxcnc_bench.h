@@ -13,8 +13,8 @@
 #include "app/io/wires.h"
 #include "core/cnc/registry.h"
 #include "tests/protocol/commands.h"
-#include "tests/protocol/linuxcnc_peer.h"
 #include "tests/support/bounded_wait.h"
+#include "tests/support/linuxcnc/linuxcnc_peer.h"
 
 namespace stillcut::cnc::testing {
 

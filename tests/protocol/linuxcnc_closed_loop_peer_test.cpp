@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/compose/rig.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "tests/protocol/linuxcnc_bench.h"
 #include "tests/support/demo_cut.h"
 

@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/cnc/link_trial.h"
@@ -109,6 +111,33 @@ TEST_F(LinuxCncHalReal, TrialPassesAndMeasuresTheDelay) {
   EXPECT_TRUE(trial.passed());
   EXPECT_GT(trial.look().value, 0.0);
   EXPECT_LT(trial.look().value, 0.1);
+}
+
+// Beside any screen: what linuxcncrsh and halrmt would tell comes from stillcut-status, which changes nothing.
+TEST_F(LinuxCncHalReal, StatusAndComponentNeedNoServerOfTheScreens) {
+  link_ = linkToLinuxCnc({{"hal_component_port", std::to_string(LinuxCncPeer::kComponentPort)},
+                          {"status_port", std::to_string(LinuxCncPeer::kStatusPort)}});
+  const Status opened = link_->open();
+  ASSERT_TRUE(opened.ok()) << opened.error().line();
+  ASSERT_TRUE(until(cutting)) << seen_.actualSpeed.value;
+  EXPECT_NEAR(seen_.programmedFeed.value, 600.0 / 60000.0, 1e-6);
+  EXPECT_TRUE(untilCommanding(90.0, [](const MachineState& m) {
+    return at(m, 0.9) && std::abs(m.actualSpeed.value - 7200.0) < 20.0;
+  })) << seen_.actualSpeed.value;
+  link_->release(clock_.now());
+  EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }, 1.0));
+  const auto wire =
+      std::move(app::makeWire({.host = "127.0.0.1", .port = LinuxCncPeer::kStatusPort, .device = {}})).value();
+  wire->connect();
+  ASSERT_TRUE(testing::within(Seconds(2.0), [&] { return wire->state() == WireState::Open; }));
+  ASSERT_TRUE(wire->write("hello EMC x 1.0\r\nset feed_override 50\r\nset machine off\r\n"));
+  std::array<char, 256> said{};
+  std::size_t n = 0;
+  ASSERT_TRUE(testing::within(Seconds(2.0), [&] {
+    n += wire->read(std::span(said).subspan(n));
+    return std::string_view(said.data(), n).find("SET NAK\r\nSET NAK") != std::string_view::npos;
+  }));
+  EXPECT_TRUE(until([](const MachineState& m) { return m.programRunning && at(m, 1.0); }, 1.0));
 }
 
 TEST_F(LinuxCncHalReal, BothOverridesActWithoutControlAndGoBack) {

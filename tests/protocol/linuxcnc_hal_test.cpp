@@ -122,6 +122,21 @@ TEST(LinuxCncHal, KnobThatStrayedIsHeldAgainAndBroughtHome) {
   EXPECT_EQ(b.hal.keeper.report(FakeHal::kOurs).standing, HalLeaseState::Home);
 }
 
+// The order home is lost, and with it the lease, because the program stood still at that moment: nobody waits for an
+// order that will not come.
+TEST(LinuxCncHal, AnOrderHomeThatIsLostWithTheLeaseIsGivenAgainAtOnce) {
+  Bench b;
+  b.engage(83.0);
+  ASSERT_EQ(b.mill.spindle, 83);
+  b.hal.lost = 2;
+  b.link->apply(b.gate.relinquish(), b.clock.now());
+  b.leave(0.4);
+  b.hal.lost = 0;
+  b.run(1.5);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
 TEST(LinuxCncHal, OperatorsHandIsLeftAloneAndSurvivesTheRelease) {
   Bench b;
   b.engage(90.0);

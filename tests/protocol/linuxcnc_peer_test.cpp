@@ -5,12 +5,14 @@
 #include <atomic>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "app/io/find_machines.h"
+#include "app/io/kept_link.h"
 #include "core/cnc/linuxcnc/linuxcnc_link.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/linuxcnc_bench.h"
@@ -150,6 +152,26 @@ TEST_F(LinuxCncReal, KilledProgramLeavesTheOverrideAndTheNextStartSeesIt) {
   link_ = linkToLinuxCnc();
   EXPECT_TRUE(until([](const MachineState& m) { return m.valid && std::abs(m.speedOverride.value - 0.9) < 1e-6; }));
   EXPECT_FALSE(link_->describe().machineWatchdog);
+}
+
+// With a keeper that holds the wires it does not: the operator's values are back before the keeper goes, and for the
+// next start they are the operator's.
+TEST_F(LinuxCncReal, KilledProgramIsBroughtHomeByItsKeeper) {
+  link_.reset();
+  {
+    const Commander program([this] {
+      LinkRequest request;
+      request.settings = {{"host", "127.0.0.1"}};
+      request.wires = app::makeWire;
+      request.clock = &clock_;
+      return std::move(app::makeKeptLink("linuxcnc", request)).value();
+    });
+    ASSERT_TRUE(program.took());
+  }  // killed
+  ASSERT_TRUE(testing::within(Seconds(5.0), [] { return std::system("pgrep -x stillcut-keeper >/dev/null") != 0; }));
+  link_ = linkToLinuxCnc();
+  EXPECT_TRUE(until([](const MachineState& m) { return m.valid; }));
+  EXPECT_TRUE(at(seen_, 1.0)) << seen_.speedOverride.value << " " << seen_.feedOverride.value;
 }
 
 // Told to end with our link open, and started anew: its overrides are at 100 % then, and nothing of ours is believed to

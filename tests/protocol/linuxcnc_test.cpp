@@ -101,6 +101,20 @@ TEST(LinuxCnc, AReleaseReachesAMachineWhoseAnswersAreSlow) {
   }
 }
 
+// linuxcncrsh's words of two clients were seen to get mixed up.
+TEST(LinuxCnc, AnOrderHomeThatIsAcknowledgedAndLostIsGivenAgain) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(83.0), b.clock.now());
+  b.run(1.0);
+  ASSERT_EQ(b.mill.spindle, 83);
+  b.mill.lost = 2;
+  b.link->apply(b.gate.relinquish(), b.clock.now());
+  b.run(2.5);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
 // Each override goes home by itself.
 TEST(LinuxCnc, ARefusedOverrideKeepsTheOtherFromNothing) {
   for (const bool feedRefused : {true, false}) {

@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "tests/support/fake_grbl.h"
+#include "tests/support/grbl/fake_grbl.h"
 #include "tests/support/temp_folder.h"
 
 namespace stillcut::app {

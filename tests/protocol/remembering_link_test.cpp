@@ -9,11 +9,13 @@
 #include <stdexcept>
 
 #include "core/cnc/grbl/grbl_link.h"
+#include "core/cnc/modbus/modbus_link.h"
 #include "core/cnc/simulated_machine.h"
 #include "core/milling/simulation/simulated_cut.h"
 #include "core/pipeline/link_runner.h"
 #include "tests/protocol/emc_bench.h"
-#include "tests/support/fake_grbl.h"
+#include "tests/protocol/modbus/fake_plc.h"
+#include "tests/support/grbl/fake_grbl.h"
 
 namespace stillcut::cnc {
 namespace {
@@ -171,6 +173,7 @@ TEST(RememberingLink, LinuxCncIsOfferedBackAndGoesHomeAtThePressAlone) {
       b.clock.advance(Seconds(0.005));
     }
   };
+  ASSERT_TRUE(link.open());  // reads once, and lets go of the connection: what it read then is no reading of the next
   run(5.0);
   EXPECT_EQ(offered->get(), kLeft);
   EXPECT_EQ(b.mill.spindle, 83);
@@ -179,6 +182,34 @@ TEST(RememberingLink, LinuxCncIsOfferedBackAndGoesHomeAtThePressAlone) {
   EXPECT_EQ(b.mill.spindle, 100);
   EXPECT_EQ(b.mill.feed, 100);
   EXPECT_FALSE(record.now);
+}
+
+// Its feed override is not read back, and its knob is another register.
+TEST(RememberingLink, ModbusIsOfferedBackAndGoesHomeAtThePressAlone) {
+  test::VirtualClock clock{instantFromNs(1'000'000'000)};
+  FakePlc plc;
+  plc.watched = false;
+  plc.holding(100) = plc.holding(101) = 830;
+  Record record{kLeft};
+  const auto offered = std::make_shared<SentOverridesCell>();
+  RememberingLink link(std::make_unique<ModbusLink>(exampleMap(), std::make_unique<FakeBus>(clock, plc), clock),
+                       std::make_unique<FakeMemory>(record), offered);
+  const auto run = [&](double seconds) {
+    for (const Instant until = clock.now() + toDuration(Seconds(seconds)); clock.now() < until;) {
+      plc.run(clock.now());
+      link.read(clock.now());
+      clock.advance(Seconds(0.005));
+    }
+  };
+  run(1.0);
+  EXPECT_EQ(offered->get(), kLeft);
+  EXPECT_EQ(plc.writes, 0) << "nothing moves without the operator";
+  link.apply(backToProgrammed(), clock.now());
+  run(1.0);
+  EXPECT_EQ(plc.holding(100), 1000);
+  EXPECT_EQ(plc.holding(101), 1000);
+  EXPECT_FALSE(record.now);
+  EXPECT_FALSE(offered->get());
 }
 
 // The program's own machine, through the runner that checks leases.

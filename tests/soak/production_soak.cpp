@@ -1,14 +1,18 @@
-// soak_production [HOURS] [SEED]: HOURS (24 unless told) of simulated production, as fast as this machine can: parts of
-// a stable cut, each with its own noise, and after every ninth of them one that chatters, with Auto granted throughout.
-// Prints alarms in stable cuts, moves in them, chatter that was not ended, and memory at a tenth and at the end.
-// Exit code 0: no move in a stable cut, every chattering cut ended quiet, and memory flat (5 % or 8 MB, the larger).
+// soak_production [HOURS] [SEED]: HOURS (24 unless told) of simulated production, as fast as this machine can: stable
+// parts, each with a tool, a machine, speeds, depths, entries and corners of its own (tests/support/production), and
+// after every ninth of them one that chatters, with Auto granted throughout. Prints each stable part that had an alarm,
+// then alarms and moves in stable parts, chatter that was not ended, and memory at a tenth and at the end. Exit code 0:
+// in 24 h at most one stable part with an alarm and one with a move, every chattering part ended quiet, and memory flat
+// (5 % or 8 MB, the larger).
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
 #include "app/compose/scenario_rig.h"
 #include "core/evaluate/simulation_report.h"
 #include "tests/soak/resident.h"
+#include "tests/support/production/drawn_part.h"
 
 namespace stillcut::app {
 namespace {
@@ -36,6 +40,7 @@ Status runPart(milling::Scenario part, std::uint64_t seed, bool stable, Tally& t
   bool move = false;
   bool lastChatters = false;
   for (const evaluate::SimulationHistory::Point& point : history.points()) {
+    if (stable && point.alarming && !alarm) std::printf("%s: alarm at %.2f s\n", part.name.c_str(), point.t);
     alarm |= point.alarming;
     move |= point.commandMoves;
     if (point.cutting) lastChatters = point.chattering;
@@ -53,14 +58,16 @@ Status runPart(milling::Scenario part, std::uint64_t seed, bool stable, Tally& t
 }
 
 int soak(double hours, std::uint64_t seed) {
-  const auto stable = scenario("production-stable");
+  const auto machine = scenario("production-stable");
   const auto chattering = scenario("demo");
-  if (!stable || !chattering) return 2;
+  if (!machine || !chattering) return 2;
   Tally tally;
   double early = 0.0;
   for (std::uint64_t part = 0; tally.hours < hours; ++part) {
     const bool calm = part % 10 != 9;
-    if (const Status ran = runPart(calm ? *stable : *chattering, seed + part, calm, tally); !ran) {
+    const auto drawn = calm ? test::drawnPart(*machine, seed + part) : *chattering;
+    const Status ran = drawn ? runPart(*drawn, seed + part, calm, tally) : Status(drawn.error());
+    if (!ran) {
       std::fprintf(stderr, "soak_production: %s\n", ran.error().line().c_str());
       return 2;
     }
@@ -71,7 +78,9 @@ int soak(double hours, std::uint64_t seed) {
       "%.2f h of production: %d stable parts, %d with an alarm, %d with a move; %d that chatter, %d not ended\n",
       tally.hours, tally.stableParts, tally.alarmed, tally.moved, tally.chatterParts, tally.notQuiet);
   std::printf("memory: %.1f MB at a tenth, %.1f MB at the end\n", early, late);
-  return tally.moved == 0 && tally.notQuiet == 0 && testing::flat(early, late) ? 0 : 1;
+  const auto allowed = static_cast<int>(std::ceil(tally.hours / 24.0));
+  const bool rare = tally.alarmed <= allowed && tally.moved <= allowed;
+  return rare && tally.notQuiet == 0 && testing::flat(early, late) ? 0 : 1;
 }
 
 }  // namespace

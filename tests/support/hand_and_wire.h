@@ -18,10 +18,18 @@ class HandAndWire {
  public:
   static constexpr int kLowest = 50, kHighest = 120;  // [%] that we may ask for
 
+  explicit HandAndWire(const cnc::SharedOverride::Manners& manners)
+      : link_(kLowest, kHighest, manners), reportsMayBeFalse_(manners.sightings > 1) {}
+
   // The operator turns it.
   void turn(int percent) {
     raced_ = raced_ || !writes_.empty();  // ours lands on it before anybody can know
     ambiguous_ = ambiguous_ || sentEver_.count(percent) > 0;
+    // What stood there before the hand, and is back, may be the end of a report that was false.
+    ambiguous_ = ambiguous_ || (reportsMayBeFalse_ && (stood_ == percent || toldBefore_ == percent));
+    stood_ = shows_;
+    toldBefore_ = lastTold_;
+    if (ambiguous_) forbidden_.reset();
     hand_ = shows_ = percent;
     ++turns_;
   }
@@ -80,7 +88,7 @@ class HandAndWire {
   // As the hand left it, nothing of ours on its way there, and the link knows it.
   bool home() const { return shows_ == hand_ && writes_.empty() && link_.baseConfirmed(); }
   int hand() const { return hand_; }
-  // Nobody can tell the hand from us: both wrote at once, or the hand chose a number of ours.
+  // Nobody can tell the hand from us: both wrote at once, or the hand chose a number of ours, or took itself back.
   bool undecidable() const { return raced_ || ambiguous_; }
 
  private:
@@ -94,7 +102,9 @@ class HandAndWire {
     wire.push_back(m);
   }
 
-  cnc::SharedOverride link_{kLowest, kHighest};
+  cnc::SharedOverride link_;
+  bool reportsMayBeFalse_;
+  std::optional<int> stood_, toldBefore_;  // before the last turn of the hand, there and as the link had read it
   std::deque<Message> writes_, answers_;
   int shows_ = 100, hand_ = 100, told_ = 100, lastTold_ = 100;
   int turns_ = 0, toldTurns_ = 0;

@@ -13,6 +13,7 @@ namespace {
 constexpr QChar kNoBreakSpace(0x00a0);
 constexpr QChar kMinus(0x2212);
 constexpr QChar kUnknown(0x2013);
+constexpr QChar kBreakHere(0x200b);
 
 }  // namespace
 
@@ -21,6 +22,7 @@ QString number(double value, int decimals) {
   QString digits = QString::number(std::abs(value), 'f', decimals);
   const bool isZero = std::all_of(digits.cbegin(), digits.cend(), [](QChar c) { return c == u'0' || c == u'.'; });
   const qsizetype dot = digits.indexOf(u'.');
+  if (dot >= 0) digits.replace(dot, 1, say("."));  // the decimal mark of the language
   for (qsizetype i = (dot < 0 ? digits.size() : dot) - 3; i > 0; i -= 3) digits.insert(i, kThousandsSpace);
   return value < 0 && !isZero ? kMinus + digits : digits;
 }
@@ -118,6 +120,10 @@ QString feedText(MetresPerSecond feed, UnitSystem units) {
   return join(number(feedIn(feed, units), units == UnitSystem::Inch ? 1 : 0), feedUnit(units));
 }
 
+QString rpmUnit() {
+  return say("rpm");
+}
+
 QString cuttingSpeedText(MetresPerSecond v, UnitSystem units) {
   if (units == UnitSystem::Inch) return join(number(v.value * 60.0 / (12.0 * kInch)), QStringLiteral("ft/min"));
   return join(number(v.value * 60.0), QStringLiteral("m/min"));
@@ -146,6 +152,22 @@ QString stopwatch(Seconds s) {
       .arg(whole / 3600, 2, 10, zero)
       .arg(whole / 60 % 60, 2, 10, zero)
       .arg(whole % 60, 2, 10, zero);
+}
+
+QString breakable(const QString& name) {
+  constexpr int kLongestPart = 16;  // characters: fits the narrowest column in the largest type of a title
+  QString out;
+  int whole = 0;
+  for (const QChar c : name) {
+    out += c;
+    const bool joins = !c.isLetterOrNumber() && !c.isSurrogate();
+    whole = joins ? 0 : whole + 1;
+    if ((joins && !c.isSpace()) || (whole >= kLongestPart && !c.isHighSurrogate())) {
+      out += kBreakHere;
+      whole = 0;
+    }
+  }
+  return out;
 }
 
 }  // namespace stillcut::ui

@@ -12,7 +12,7 @@ namespace stillcut::ui {
 // Between thousands: narrow, and no line breaks there.
 inline constexpr QChar kThousandsSpace(0x202f);
 
-// "1 713", "-235" with a true minus, "0.62". Not finite: an en dash.
+// "1 713", "-235" with a true minus, "0.62", in German "0,62". Not finite: an en dash.
 QString number(double value, int decimals = 0);
 // Three significant digits at most: 0.062, 3.1, 31, 310, 3 100.
 QString significant(double value, int digits = 2);
@@ -34,9 +34,13 @@ MetresPerSecond feedFrom(double shown, UnitSystem units);
 QString cuttingSpeedText(MetresPerSecond v, UnitSystem units);  // "323 m/min", "1 060 ft/min"
 double removalIn(double cubicMetresPerSecond, UnitSystem units);
 QString removalUnit(UnitSystem units);
+QString rpmUnit();                                                   // "rpm"; in German "1/min"
 QString removalText(double cubicMetresPerSecond, UnitSystem units);  // "14.2 cm3/min" with a true superscript
 QString clockTime(qint64 wallMs);                                    // "13:58:04", local time
 QString stopwatch(Seconds s);                                        // "00:12:40"
 QString join(const QString& value, const QString& unit);             // with a space that does not break
+// A file's name that a wrapped label may break between its parts, and within a part too long for a narrow line. It
+// looks the same: only breaks without a width are added.
+QString breakable(const QString& name);
 
 }  // namespace stillcut::ui

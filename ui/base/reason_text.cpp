@@ -18,7 +18,7 @@ QString valueText(const Reason& reason, std::size_t index, int decimals) {
 
 }  // namespace
 
-QString reasonText(const Reason& reason) {
+QString reasonWords(const Reason& reason) {
   const std::string english(pattern(reason.code));
   QString text = QCoreApplication::translate("Reason", english.c_str());
   static const QRegularExpression kPlace(QStringLiteral("\\{(\\d)\\.(\\d)\\}"));
@@ -29,6 +29,11 @@ QString reasonText(const Reason& reason) {
                  valueText(reason, index, match.capturedView(2).toInt()));
     match = kPlace.match(text);
   }
+  return text;
+}
+
+QString reasonText(const Reason& reason) {
+  QString text = reasonWords(reason);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }

@@ -9,5 +9,7 @@ namespace stillcut::ui {
 
 // Begins with a capital, no full stop; empty for ReasonCode::None. Translated by the English pattern, context "Reason".
 QString reasonText(const Reason& reason);
+// The same as a part of another sentence: it begins as its language has it.
+QString reasonWords(const Reason& reason);
 
 }  // namespace stillcut::ui

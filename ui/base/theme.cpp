@@ -1,6 +1,7 @@
 #include "ui/base/theme.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stillcut::ui {
@@ -96,11 +97,15 @@ int Theme::px(double base) const {
   return static_cast<int>(std::lround(base * scale));
 }
 
-QFont Theme::font(double base, bool bold) const {
+int Theme::textPx(double base) const {
+  return px(base <= type_size::kBody ? base * text : base);
+}
+
+QFont Theme::font(double base, bool bold, double share) const {
   QFont font;
   // Families whose digits are all of one width; the last one is on every Debian desktop.
   font.setFamilies({"Noto Sans", "Noto Sans CJK SC", "DejaVu Sans"});
-  font.setPixelSize(std::max(px(base), 1));
+  font.setPixelSize(std::max(static_cast<int>(std::lround(textPx(base) * share)), 1));
   font.setWeight(bold ? QFont::Bold : QFont::Normal);
   return font;
 }
@@ -152,8 +157,9 @@ QColor Theme::onPanel(Tone tone) const {
   return colors.text;
 }
 
-Theme makeTheme(ThemeKind kind, double scale) {
-  return Theme{kind, themeColors(kind), scale};
+Theme makeTheme(ThemeKind kind, double scale, TextSize text) {
+  constexpr std::array<double, 3> kSteps{1.0, 1.1, 1.2};
+  return Theme{kind, themeColors(kind), scale, kSteps[static_cast<std::size_t>(text)]};
 }
 
 double scaleForSize(int width, int height) {

@@ -8,6 +8,7 @@
 namespace stillcut::ui {
 
 enum class ThemeKind { Light, Dark, HighContrast };
+enum class TextSize { Normal, Large, Largest };
 
 // What a thing on the screen means. Each tone also has a shape and a word of its own: colour never speaks alone.
 enum class Tone { Normal, Faint, Onset, Chatter, Advice };
@@ -30,16 +31,18 @@ struct Theme {
   ThemeKind kind = ThemeKind::Light;
   ThemeColors colors;
   double scale = 1.0;  // 1 at 1280 x 800; grows with the window
+  double text = 1.0;   // of labels, sentences and ticks, by the reader's choice: large words stay in their places
 
   int px(double base) const;
-  // Text of `base` pixels (before scaling), digits all of one width.
-  QFont font(double base, bool bold = false) const;
+  // Text of `base` pixels (before scaling), digits all of one width; `share` of it where it has to shrink to fit.
+  QFont font(double base, bool bold = false, double share = 1.0) const;
+  int textPx(double base) const;
   QColor back(Tone tone) const;     // a surface that carries the tone
   QColor front(Tone tone) const;    // text and shapes on that surface
   QColor onPanel(Tone tone) const;  // text of that tone on an ordinary panel
 };
 
-Theme makeTheme(ThemeKind kind, double scale);
+Theme makeTheme(ThemeKind kind, double scale, TextSize text = TextSize::Normal);
 // The steps a window of this size gets: 1 for 1280 x 800, 1.25 for 1920 x 1080, 2.5 for 3840 x 2160.
 double scaleForSize(int width, int height);
 

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/time.h"
@@ -59,12 +60,45 @@ struct LobeFrame {
   int teeth = 0;
 };
 
+struct SpeedDepth {
+  Rpm speed{};
+  Metres depth{};
+  bool operator==(const SpeedDepth&) const = default;
+};
+
+// A stretch of speeds that is stable at one depth.
+struct Pocket {
+  Rpm from{}, to{};
+  Rpm best{};              // the middle of where it is deepest, as near to it as the override reaches
+  Metres limit{};          // at `best`
+  bool limited = true;     // false: the search ended there and found no limit
+  double removal = 0.0;    // there, at the depth asked for [m^3/s]; 0: the feed is not known
+  bool open = false;       // the diagram ends before it does
+  bool reachable = false;  // some of it lies within what the override reaches
+  Rpm quietest{};          // where the teeth alone shake the least; 0: not known, or no feed
+  double vibration = 0.0;  // there, of the teeth alone: rms [m/s2]
+  bool operator==(const Pocket&) const = default;
+};
+
+// One place of the diagram from near: what the command `advise` says there. Edges of pockets are found to a revolution
+// per minute, depths to a percent.
+struct LobeCloseUp {
+  SpeedDepth at;
+  std::optional<LobeLimit> limit;     // of its speed; none: the method cannot tell
+  bool complete = false;              // every stretch of speeds has been looked through at this depth
+  bool pocketsKnown = false;          // false: they are still looked for, or cannot be
+  std::vector<Pocket> pockets;        // at its depth, by speed
+  std::optional<SpeedDepth> deepest;  // the deepest stable cut, where no speed is stable at its depth
+};
+
 struct LobeProgress {
   enum class State { Idle, Running, Done, Cancelled, Failed };
   State state = State::Idle;
   double share = 0.0;  // done, 0..1
   QString problem;     // a sentence, when failed
 };
+
+struct LearnedLobes;
 
 class LobeService {
  public:
@@ -77,8 +111,18 @@ class LobeService {
   virtual void ask(const LobeQuestion& question) = 0;
   virtual void cancel() = 0;
   virtual LobeProgress progress() const = 0;
-  // The newest complete answer; null before the first.
+  // The newest answer; null before the first. While the method still works it may become finer.
   virtual std::shared_ptr<const LobeDiagram> diagram() const = 0;
+  // Begins to look closer at a place, by the exact method, in what the machine reaches first. The newest question
+  // counts; the same one again does nothing.
+  virtual void look(const SpeedDepth& /*at*/) {}
+  // The newest answer, which may be of an older question: compare `at`. Null: none.
+  virtual std::shared_ptr<const LobeCloseUp> closeUp() const { return nullptr; }
+  // Begins to learn from the judged cuts of this tool on this machine, as they are kept now. Asked again while it
+  // works: once more when it is done.
+  virtual void learn() {}
+  // The newest answer. Null: none yet, or nothing is learned of such a cut (a scenario, a replay, one entered by hand).
+  virtual std::shared_ptr<const LearnedLobes> learned() const { return nullptr; }
 };
 
 }  // namespace stillcut::ui

@@ -25,7 +25,12 @@ struct SessionEntry {
   Inside inside = Inside::No;
   Seconds length{};
   int markers = 0;
+  int alarms = 0;
+  Seconds alarmed{};     // in onset or chatter
+  qint64 startedMs = 0;  // when it began, ms since 1970; 0: not known
   bool operator==(const SessionEntry&) const = default;
+
+  qint64 beganMs() const { return startedMs > 0 ? startedMs : wallMs; }
 };
 
 // Times count from the first sample of the recording.

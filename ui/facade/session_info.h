@@ -32,6 +32,7 @@ struct SessionInfo {
   QString linkLabel;  // "LinuxCNC", "simulated machine"
   bool simulatedMachine = false;
   bool machineWatchdog = false;  // the machine restores 100 % by itself when this program dies
+  bool kept = false;             // a process of its own restores the operator's values when this program dies
   Metres feedPerTooth{};         // 0: unknown
   std::vector<DetectorLabel> detectors;
   LimitMarks limits;
@@ -75,7 +76,12 @@ struct Picture {
   const RunHistory* history = nullptr;  // of this run; null only where nobody keeps one
   const SignalHistory* signal = nullptr;
   const ActiveSnapshot* table = nullptr;  // of the active work-holder; null: there is none, or nothing came yet
-  bool replay = false;                    // the pages show a replay: there is nothing to answer or to judge in it
+  // Vibration that the same cut would have at this moment without Stillcut, rms of the first channel [SI]; not a
+  // number: nobody knows, as in any real cut.
+  double vibrationWithout = std::numeric_limits<double>::quiet_NaN();
+  bool mayRunAgain = false;  // over, and the same can be run once more
+  QString notRunAgain;       // a sentence: why the last touch of AGAIN came to nothing; empty: it did not
+  bool replay = false;       // the pages show a replay: there is nothing to answer or to judge in it
 
   // Nothing more will come, and it is known why: not stale.
   bool over() const { return !link.ended.isEmpty(); }

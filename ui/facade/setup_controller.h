@@ -76,6 +76,13 @@ struct MachineSearch {
   QString problem;  // why nothing was looked for; in the language of the screen
 };
 
+// A device that is plugged in here, ready to be chosen.
+struct FoundDevice {
+  QString label, range;            // as its maker calls it; "1 channel, 48000 Hz", in English
+  config::ComponentChoice source;  // what a profile would say of it
+  ChannelInfo channel;             // of its first input, as far as the kind of device tells
+};
+
 // The chosen link by itself, step by step as they are taken.
 struct LinkTest {
   enum class State { Off, Runs, Good, Bad };
@@ -120,6 +127,10 @@ class SetupController {
   virtual void keepDraft(const config::Profile& profile) = 0;
   virtual std::optional<config::Profile> keptDraft() const = 0;
 
+  // Looks at what is plugged in; what was found shows in devicesHere() some polls later. Nothing is opened for long.
+  virtual void lookForDevices() = 0;
+  virtual const std::vector<FoundDevice>& devicesHere() const = 0;
+
   // Runs the device of `profile` by itself: no machine, nobody in charge. The device of the present cut may refuse to
   // be opened twice.
   virtual void listen(const config::Profile& profile, const QString& name) = 0;
@@ -152,6 +163,13 @@ class SetupController {
   virtual Status startDemonstration() = 0;
 
   virtual Result<std::vector<ToolEntry>> tools() const = 0;
+  // Whether a file holds what a tool wants of it: modes, as a tap test or `modal` writes them or in a whole cut, or a
+  // frequency response. One line where it does not.
+  enum class ToolFile { Modes, Response };
+  // What a profile takes of a tool whose modes are known: its file where that is a whole cut; of modes alone one that
+  // is written, at the tool's full width in its material.
+  virtual Result<QString> cutFile(const ToolEntry& tool) = 0;
+  virtual Status checkToolFile(const QString& file, ToolFile kind) const = 0;
   virtual Status saveTools(const std::vector<ToolEntry>& tools) = 0;
 };
 

@@ -37,8 +37,9 @@ bool idle(ReasonCode code) {
 
 QString deltaText(const Move& move) {
   if (!(move.fromSpeed.value > 0)) return {};
-  return say("%1 rpm, %2")
-      .arg(withSign((move.speed - move.fromSpeed).value), overrideText(move.speed / move.fromSpeed));
+  // The unit stands beside the speed itself.
+  return QStringLiteral("%1, %2").arg(withSign((move.speed - move.fromSpeed).value),
+                                      overrideText(move.speed / move.fromSpeed));
 }
 
 // Time goes as 1 / feed; the cutting speed is pi D n.
@@ -70,7 +71,7 @@ QString feedSentence(const Move& move, UnitSystem units) {
 
 void fillMove(AdviceView& view, const Move& move, const Picture& picture) {
   if (move.speed.value > 0) {
-    view.target = join(number(move.speed.value), QStringLiteral("rpm"));
+    view.target = join(number(move.speed.value), rpmUnit());
     view.delta = deltaText(move);
     view.feed = feedSentence(move, picture.units);
   } else {
@@ -93,7 +94,7 @@ void fillAdvice(AdviceView& view, const SpeedAdvice& advice, const Picture& pict
       view.target = say("Less depth of cut");
       if (advice.depth.value > 0) {
         view.target = say("%1 deep at most").arg(depthText(advice.depth, picture.units));
-        view.delta = say("at %1").arg(join(number(advice.speed.value), QStringLiteral("rpm")));
+        view.delta = say("at %1").arg(join(number(advice.speed.value), rpmUnit()));
       }
       break;
     case SpeedAdvice::Kind::Speed:
@@ -172,6 +173,13 @@ AdviceView nothing(const Picture& picture) {
   if (picture.over()) {
     view.target = say("No advice");
     view.reason = say("Another run begins on the page Set up: GUIDE or PROFILE");
+    if (picture.mayRunAgain) {
+      view.mode = AdviceView::Mode::Again;
+      view.target = say("The simulated cut is over");
+      view.reason = picture.notRunAgain.isEmpty()
+                        ? say("AGAIN runs it once more. Your own machine: the page Set up")
+                        : say("It does not run again: %1. AGAIN tries once more").arg(picture.notRunAgain);
+    }
     return view;
   }
   if (!picture.snapshot || picture.stale) {

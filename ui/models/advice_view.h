@@ -10,8 +10,9 @@ namespace stillcut::ui {
 
 struct AdviceView {
   // Open: waits for an answer. InForce: ours stands. ForHand: nobody but a hand at the machine, or the program, can
-  // follow it. Offered: authority is Off, and a touch would let Stillcut advise.
-  enum class Mode { Nothing, Open, InForce, ForHand, Offered };
+  // follow it. Offered: authority is Off, and a touch would let Stillcut advise. Again: the run is over, and a touch
+  // runs it once more.
+  enum class Mode { Nothing, Open, InForce, ForHand, Offered, Again };
   Mode mode = Mode::Nothing;
   QString title;   // "ADVICE", "ACTIVE", "WHAT TO DO"
   QString target;  // "8 565 rpm", or the sentence that there is nothing to do

@@ -20,7 +20,9 @@ double removalRate(const LobeFrame& frame, Rpm speed, Metres depth) {
   return depth.value * frame.widthOfCut.value * frame.feedPerTooth.value * frame.teeth * speed.value / 60.0;
 }
 
+// Where nobody has said what the machine reaches, nothing is out of reach.
 bool within(Rpm speed, const LobeFrame& frame) {
+  if (!(frame.reachHigh > frame.reachLow)) return true;
   return speed >= frame.reachLow && speed <= frame.reachHigh;
 }
 
@@ -56,7 +58,8 @@ void findBest(Pocket& pocket, const LobeDiagram& diagram, std::size_t first, std
   while (left > first && limits[left - 1].depth >= plateau) --left;
   while (right < last && limits[right + 1].depth >= plateau) ++right;
   pocket.best = (limits[left].speed + limits[right].speed) * 0.5;
-  if (pocket.reachable) pocket.best = std::clamp(pocket.best, frame.reachLow, frame.reachHigh);
+  const bool reachKnown = frame.reachHigh > frame.reachLow;
+  if (pocket.reachable && reachKnown) pocket.best = std::clamp(pocket.best, frame.reachLow, frame.reachHigh);
   pocket.limit = limitAt(diagram, pocket.best).value_or(limits[deepest].depth);
   pocket.limited = !openBelow(diagram, pocket.best);
 }
@@ -111,42 +114,83 @@ std::vector<Pocket> pocketsAt(const LobeDiagram& diagram, const LobeFrame& frame
   return out;
 }
 
-WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Metres depth, UnitSystem units) {
+std::vector<Pocket> pocketsAt(const LobeDiagram* diagram, const LobeFrame& frame, Metres depth,
+                              const LobeCloseUp* closeUp) {
+  if (closeUp != nullptr && closeUp->pocketsKnown && closeUp->at.depth == depth) return closeUp->pockets;
+  return diagram != nullptr ? pocketsAt(*diagram, frame, depth) : std::vector<Pocket>{};
+}
+
+namespace {
+
+// What is known of one place, whoever has computed it.
+struct Here {
+  Metres limit;
+  bool open = false;    // no limit was found down to `limit`
+  bool island = false;  // stable above the limit
+};
+
+std::optional<Here> hereOf(const LobeDiagram* diagram, const SpeedDepth& at, const LobeCloseUp* closeUp) {
+  if (closeUp != nullptr && closeUp->at == at && closeUp->limit) {
+    const LobeLimit& limit = *closeUp->limit;
+    const bool island = std::ranges::any_of(
+        limit.islands, [&at](const DepthSpan& span) { return at.depth > span.from && at.depth < span.to; });
+    return Here{limit.depth, !limit.limited, island};
+  }
+  const auto limit = diagram != nullptr ? limitAt(*diagram, at.speed) : std::nullopt;
+  if (!limit || !(limit->value > 0.0)) return std::nullopt;
+  return Here{*limit, openBelow(*diagram, at.speed), onIsland(*diagram, at.speed, at.depth)};
+}
+
+// Speeds of one pocket are alike for chatter, and unlike for what the teeth shake.
+QString quietestOf(const SpeedDepth& at, const LobeCloseUp* closeUp) {
+  if (closeUp == nullptr || !closeUp->pocketsKnown || closeUp->at.depth != at.depth) return {};
+  const auto around = std::ranges::find_if(
+      closeUp->pockets, [&at](const Pocket& pocket) { return pocket.from <= at.speed && at.speed <= pocket.to; });
+  if (around == closeUp->pockets.end() || !(around->quietest.value > 0.0)) return {};
+  return say("the teeth shake least at %1, %2")
+      .arg(join(number(around->quietest.value), rpmUnit()),
+           join(significant(around->vibration), QStringLiteral("m/s\u00b2")));
+}
+
+}  // namespace
+
+WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, const SpeedDepth& at, UnitSystem units,
+              const LobeCloseUp* closeUp) {
   WhatIf out;
-  const auto limit = diagram ? limitAt(*diagram, speed) : std::nullopt;
-  if (!limit || !(limit->value > 0.0)) {
+  const auto here = hereOf(diagram, at, closeUp);
+  if (!here) {
     out.verdict = say("Not computed here");
     out.detail = diagram ? say("The diagram does not reach this speed") : say("Compute the diagram first");
     return out;
   }
-  const bool open = openBelow(*diagram, speed);
-  if (open && depth > *limit + kRounding) {
+  const Metres limit = here->limit, depth = at.depth;
+  if (here->open && depth > limit + kRounding) {
     out.verdict = say("Not computed so deep");
-    out.detail = say("no limit found down to %1").arg(depthText(*limit, units));
+    out.detail = say("no limit found down to %1").arg(depthText(limit, units));
     return out;
   }
   out.known = true;
-  const bool island = onIsland(*diagram, speed, depth);
-  out.stable = depth < *limit || island || open;
-  const double margin = 100.0 * (*limit / std::max(depth, Metres(1e-9)) - 1.0);
+  out.stable = depth < limit || here->island || here->open;
+  const double margin = 100.0 * (limit / std::max(depth, Metres(1e-9)) - 1.0);
   out.tone = out.stable ? Tone::Normal : Tone::Chatter;
-  out.verdict =
-      open         ? say("STABLE, no limit found down to %1").arg(depthText(*limit, units))
-      : island     ? say("STABLE, on an island above the limit: less depth would chatter")
-      : out.stable ? say("STABLE, %1 deeper would be too deep").arg(join(number(margin), QStringLiteral("%")))
-                   : say("CHATTER, %1 too deep").arg(join(number(100.0 * (depth / *limit - 1.0)), QStringLiteral("%")));
-  QStringList parts{open ? say("limit deeper than %1").arg(depthText(*limit, units))
-                         : say("limit %1").arg(depthText(*limit, units))};
+  out.verdict = here->open     ? say("STABLE, no limit found down to %1").arg(depthText(limit, units))
+                : here->island ? say("STABLE, on an island above the limit: less depth would chatter")
+                : out.stable
+                    ? say("STABLE, %1 deeper would be too deep").arg(join(number(margin), QStringLiteral("%")))
+                    : say("CHATTER, %1 too deep").arg(join(number(100.0 * (depth / limit - 1.0)), QStringLiteral("%")));
+  QStringList parts{here->open ? say("limit deeper than %1").arg(depthText(limit, units))
+                               : say("limit %1").arg(depthText(limit, units))};
   if (frame.feedPerTooth.value > 0.0) {
-    parts << say("removes %1").arg(removalText(removalRate(frame, speed, depth), units));
+    parts << say("removes %1").arg(removalText(removalRate(frame, at.speed, depth), units));
     if (frame.programmed.value > 0.0) {
-      const double saved = 100.0 * (frame.programmed / speed - 1.0);
+      const double saved = 100.0 * (frame.programmed / at.speed - 1.0);
       if (std::abs(saved) >= 0.5) {
         const QString amount = join(number(std::abs(saved)), QStringLiteral("%"));
         parts << (saved > 0.0 ? say("%1 more time").arg(amount) : say("%1 less time").arg(amount));
       }
     }
   }
+  if (const QString quietest = quietestOf(at, closeUp); !quietest.isEmpty()) parts << quietest;
   out.detail = parts.join(say(", "));
   return out;
 }

@@ -22,18 +22,7 @@ bool openBelow(const LobeDiagram& diagram, Rpm speed);
 // Whether the speeds looked at on both sides are quiet again this deep, above their limit.
 bool onIsland(const LobeDiagram& diagram, Rpm speed, Metres depth);
 
-struct Pocket {
-  Rpm from{}, to{};
-  Rpm best{};              // the middle of where it is deepest, as near to it as the override reaches
-  Metres limit{};          // at `best`
-  bool limited = true;     // false: the search ended there and found no limit
-  double removal = 0.0;    // there, at the depth asked for [m^3/s]; 0: the feed is not known
-  bool open = false;       // the diagram ends before it does
-  bool reachable = false;  // some of it lies within what the override reaches
-  bool operator==(const Pocket&) const = default;
-};
-
-// Stretches of speed whose limit lies deeper than `depth`, by speed.
+// Stretches of speed whose limit lies deeper than `depth`, by speed: from between the speeds of the diagram.
 std::vector<Pocket> pocketsAt(const LobeDiagram& diagram, const LobeFrame& frame, Metres depth);
 
 struct WhatIf {
@@ -45,7 +34,13 @@ struct WhatIf {
   bool operator==(const WhatIf&) const = default;
 };
 
-WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Metres depth, UnitSystem units);
+// `closeUp` goes before the diagram where it is of this place.
+WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, const SpeedDepth& at, UnitSystem units,
+              const LobeCloseUp* closeUp = nullptr);
+
+// The same for the pockets at a depth.
+std::vector<Pocket> pocketsAt(const LobeDiagram* diagram, const LobeFrame& frame, Metres depth,
+                              const LobeCloseUp* closeUp);
 
 // Where the cut has been, and whether it was quiet there: stable, onset or chatter.
 struct MetPoint {

@@ -6,6 +6,7 @@
 #include "core/model/channel.h"
 #include "ui/base/format.h"
 #include "ui/base/say.h"
+#include "ui/models/simulation_over.h"
 
 namespace stillcut::ui {
 namespace {
@@ -151,12 +152,17 @@ BarView vibrationBar(const Picture& p, bool live, VibrationScale& scale) {
   const std::string_view siName = siUnit(quantity);
   const QString unit = QString::fromUtf8(siName.data(), static_cast<qsizetype>(siName.size()));
   const double rms = live ? p.snapshot->vibrationRms : 0.0, limit = p.info->limits.vibration;
-  const double full = scale.fullFor(rms, limit);
+  const bool compared = live && std::isfinite(p.vibrationWithout);
+  const double full = scale.fullFor(compared ? std::max(rms, p.vibrationWithout) : rms, limit);
   bar.known = live && std::isfinite(rms);
   bar.full = join(significant(full), unit);
   if (uncalibrated(p)) bar.label = say("Vibration, uncalibrated");
   bar.value = bar.known ? join(significant(rms), unit) : join(number(std::nan("")), unit);
   bar.fraction = bar.known ? clampedFraction(rms, full) : 0.0;
+  if (compared) {
+    bar.without = clampedFraction(p.vibrationWithout, full);
+    bar.withoutText = say("without Stillcut %1").arg(join(significant(p.vibrationWithout), unit));
+  }
   mark(bar, limit, full);
   if (bar.known && std::isfinite(limit) && rms >= limit) bar.tone = Tone::Chatter;
   return bar;
@@ -183,8 +189,7 @@ MachineView withoutMachine(const Picture& picture) {
   const auto shown = [&none](double value) { return value > 0.0 ? number(value) : none; };
   const bool live = picture.snapshot && !picture.stale && picture.verdict().spindle.value > 0.0;
   const double turns = live ? picture.verdict().spindle.value * 60.0 : 0.0;
-  view.speed = {say("Speed"), shown(cut.nominalSpeed.value), none, shown(turns), QStringLiteral("rpm"), Tone::Normal,
-                false};
+  view.speed = {say("Speed"), shown(cut.nominalSpeed.value), none, shown(turns), rpmUnit(), Tone::Normal, false};
   view.feed = {
       say("Feed"), shown(feedIn(cut.nominalFeed, picture.units)), none, none, feedUnit(picture.units), Tone::Normal,
       false};
@@ -199,7 +204,7 @@ MachineView makeMachineView(const Picture& picture) {
     return withoutMachine(picture);
   }
   MachineView view;
-  const QString rpm = QStringLiteral("rpm"), feed = feedUnit(picture.units);
+  const QString rpm = rpmUnit(), feed = feedUnit(picture.units);
   const bool known = picture.snapshot && picture.snapshot->machine.valid;
   if (!known) {
     const QString none = number(std::nan(""));
@@ -220,10 +225,10 @@ MachineView makeMachineView(const Picture& picture) {
   // Read after the block was recorded: as new as can be.
   const Seconds age =
       std::max(Seconds(), secondsBetween(m.time, picture.snapshot->time)) + (picture.stale ? picture.age : Seconds());
-  view.note = whatHinders(m, age);
+  view.note = simulationOver(picture) ? QString() : whatHinders(m, age);
   view.warning = !view.note.isEmpty();
   if (!view.warning) {
-    view.note = knobs(m);
+    view.note = simulationOver(picture) ? say("As the run ended") : knobs(m);
   }
   view.speed.old = view.feed.old = !m.linkUp || age > kOldAfter;
   return view;

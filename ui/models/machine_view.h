@@ -34,8 +34,10 @@ struct BarView {
   bool known = false;
   std::vector<double> marks;  // limits, as fractions
   Tone tone = Tone::Normal;
-  bool counts = true;  // what the verdict goes by; else it is only shown
-  QString full{};      // what the whole length stands for: "1", "20 m/s²"
+  bool counts = true;     // what the verdict goes by; else it is only shown
+  double without = -1.0;  // of the bar's length: what it would be without Stillcut; below 0: not known
+  QString withoutText{};  // "without Stillcut 9.2 m/s2"
+  QString full{};         // what the whole length stands for: "1", "20 m/s²"
 
   bool operator==(const BarView&) const = default;
 };

@@ -44,7 +44,7 @@ int SessionListModel::rowCount(const QModelIndex& parent) const {
 QVariant SessionListModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const SessionEntry& e = entry(index.row());
-  const QString when = QDateTime::fromMSecsSinceEpoch(e.wallMs).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+  const QString when = QDateTime::fromMSecsSinceEpoch(e.beganMs()).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
   const QString size =
       join(number(static_cast<double>(e.bytes) / 1e6, e.bytes < 10'000'000 ? 1 : 0), QStringLiteral("MB"));
   const bool known = e.inside == SessionEntry::Inside::Known;
@@ -62,7 +62,7 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
     case ToolRole:
       return e.tool;
     case TimeRole:
-      return e.wallMs;
+      return e.beganMs();
     default:
       return {};
   }

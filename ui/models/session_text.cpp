@@ -44,7 +44,7 @@ QString scoreText(const ScoreLine& line) {
 
 QString taskText(const TaskState& task) {
   if (!task.running && !task.problem.isEmpty()) return task.problem;
-  const QString file = QFileInfo(task.file).fileName();
+  const QString file = breakable(QFileInfo(task.file).fileName());
   switch (task.what) {
     case TaskState::What::None:
       return {};
@@ -58,7 +58,7 @@ QString taskText(const TaskState& task) {
     case TaskState::What::Scoring:
       return task.running ? say("Scoring: %1").arg(percent(task.part)) : say("Scored against what is marked");
     case TaskState::What::Exporting:
-      return task.running ? say("Writing %1").arg(file) : say("Written: %1").arg(task.file);
+      return task.running ? say("Writing %1").arg(file) : say("Written: %1").arg(breakable(task.file));
   }
   return {};
 }

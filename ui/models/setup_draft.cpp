@@ -62,6 +62,16 @@ void SetupDraft::setSource(const QString& id) {
   edit([&](config::Profile& p) { p.source = {id.toStdString(), {}}; });
 }
 
+void SetupDraft::useDevice(const FoundDevice& device) {
+  edit([&](config::Profile& p) {
+    p.source = device.source;
+    const auto& channels = p.cut.channels;
+    const bool known = std::ranges::any_of(
+        channels, [&](const ChannelInfo& channel) { return channel.quantity == device.channel.quantity; });
+    if (!known) p.cut.channels = {device.channel};
+  });
+}
+
 void SetupDraft::setLink(const QString& id) {
   if (fromUtf8(profile_.link.id) == id) return;
   edit([&](config::Profile& p) { p.link = {id.toStdString(), {}}; });

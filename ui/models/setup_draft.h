@@ -37,6 +37,8 @@ class SetupDraft : public QObject {
     emit changed();
   }
   void setSource(const QString& id);
+  // With its first input as the only channel, unless channels of what it measures are set up already.
+  void useDevice(const FoundDevice& device);
   void setLink(const QString& id);
   // Empty: as if it had not been said.
   void setSourceSetting(const QString& key, const QString& value);

@@ -9,6 +9,7 @@
 #include "ui/models/active_text.h"
 #include "ui/models/advice_view.h"
 #include "ui/models/named_chatter.h"
+#include "ui/models/simulation_over.h"
 
 namespace stillcut::ui {
 namespace {
@@ -37,6 +38,7 @@ StripItem linkItem(const Picture& p) {
   if (p.info->linkLabel.isEmpty()) return {say("Machine"), say("none"), Tone::Faint};
   const QString& label = p.info->linkLabel;
   if (!p.link.problem.isEmpty()) return {label, p.link.problem, Tone::Chatter};
+  if (simulationOver(p)) return {label, say("ended"), Tone::Faint};
   if (!p.snapshot || neverRead(p.snapshot->machine)) return {label, say("not read yet"), Tone::Faint};
   // Read after the block was recorded: as new as can be.
   const Seconds age =
@@ -61,7 +63,7 @@ StripItem linkItem(const Picture& p) {
 
 StripItem sensorItem(const Picture& p) {
   const QString label = say("Sensor");
-  if (!p.link.ended.isEmpty()) return {label, p.link.ended, Tone::Chatter};
+  if (!p.link.ended.isEmpty()) return {label, p.link.ended, p.mayRunAgain ? Tone::Faint : Tone::Chatter};
   if (!p.snapshot) return {label, say("no samples yet"), Tone::Faint};
   if (p.stale) return {label, say("nothing for %1").arg(duration(p.age)), Tone::Chatter};
   switch (p.verdict().reason.code) {
@@ -170,8 +172,8 @@ QString speedOf(const Intervention& i) {
   constexpr double kSame = 0.003;
   if (!(i.speedBefore.value > 0.0)) return {};
   const bool moved = std::abs(i.speedAfter / i.speedBefore - 1.0) > kSame;
-  if (moved) return change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
-  return join(number(i.speedBefore.value), QStringLiteral("rpm"));
+  if (moved) return change(number(i.speedBefore.value), number(i.speedAfter.value), rpmUnit());
+  return join(number(i.speedBefore.value), rpmUnit());
 }
 
 CardView cardOf(const Intervention& i, const Picture& picture) {
@@ -206,8 +208,12 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
   if (health.leasesExpired > 0) items.push_back(counter(say("Leases run out"), health.leasesExpired));
   if (health.linkStalls > 0) items.push_back(counter(say("Standstills"), health.linkStalls));
   const Seconds blockAge = picture.stale ? picture.age : health.blockAge;
-  items.push_back({say("Block age"), duration(picture.snapshot ? blockAge : Seconds(std::nan(""))),
-                   picture.stale ? Tone::Chatter : Tone::Normal});
+  // After the last block no age grows that anybody should mind.
+  const bool aging = picture.snapshot != nullptr && !picture.over();
+  items.push_back({say("Block age"), duration(aging ? blockAge : Seconds(std::nan(""))),
+                   !aging          ? Tone::Faint
+                   : picture.stale ? Tone::Chatter
+                                   : Tone::Normal});
   if (picture.table != nullptr) {
     const ActiveTableView table = makeActiveTable(*picture.table);
     items.push_back({say("Table"), table.text, table.tone});
@@ -219,6 +225,7 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
 CommandView makeCommandView(const Picture& picture) {
   CommandView view;
   view.autoNeedsSecondTouch = !picture.info->machineWatchdog;
+  view.kept = picture.info->kept;
   view.machine = !picture.info->linkLabel.isEmpty();
   view.verdict = makeVerdictView(picture, Trend::Unknown);
   view.verdict.detail = view.verdict.marked = QString();  // there is room for a glance
@@ -229,7 +236,8 @@ CommandView makeCommandView(const Picture& picture) {
   const Snapshot& s = *picture.snapshot;
   view.authority = s.authority;
   view.live = s.running;
-  view.notYetBack = picture.link.notYetBack || (s.authority == Authority::Off && s.commanding && s.machine.linkUp);
+  view.notYetBack = !simulationOver(picture) &&
+                    (picture.link.notYetBack || (s.authority == Authority::Off && s.commanding && s.machine.linkUp));
   view.autoAllowed = s.autoAllowed;
   view.held = s.operatorHold;
   if (const AdviceView advice = makeAdviceView(picture); advice.mode == AdviceView::Mode::Open) {

@@ -25,6 +25,7 @@ struct CommandView {
   bool live = false;  // touches reach a session
   bool autoAllowed = false;
   bool autoNeedsSecondTouch = false;
+  bool kept = false;  // this program's death alone leaves nothing standing
   bool held = false;
   QString moved;            // "97 %, 97 %", speed and feed, while the overrides are not 100 %
   bool notYetBack = false;  // what was released has not been read back

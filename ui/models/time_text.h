@@ -8,7 +8,7 @@
 
 namespace stillcut::ui {
 
-// "14:03:20", "14:03:20.5" (the clock on the wall, of the day of `newest`), "-12.5" (seconds before `newest`).
+// "14:03", "14:03:20", "14:03:20.5" (the clock on the wall, last before `newest`), "-12.5" (seconds before `newest`).
 std::optional<Instant> momentFrom(const QString& text, const SessionInfo& info, Instant newest);
 
 }  // namespace stillcut::ui

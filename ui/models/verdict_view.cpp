@@ -2,6 +2,7 @@
 
 #include <QStringList>
 
+#include "core/model/judged_cut.h"
 #include "ui/base/format.h"
 #include "ui/base/reason_text.h"
 #include "ui/base/say.h"
@@ -100,6 +101,18 @@ VerdictView staleVerdict(const Picture& picture) {
   return view;
 }
 
+// A tool that enters or leaves has a word of its own, as that is what the operator sees it do.
+VerdictView unjudgedVerdict(const Picture& picture) {
+  const Verdict& verdict = picture.verdict();
+  const QString why = verdict.valid ? phaseText(verdict.phase) : QString();
+  VerdictView view = noVerdict(why.isEmpty() ? reasonText(whyNotJudged(verdict)) : why);
+  if (view.detail.isEmpty()) view.detail = say("The detector gives no reason");
+  if (verdict.valid && verdict.phase == CutPhase::Entry) view.word = say("ENTRY");
+  if (verdict.valid && verdict.phase == CutPhase::Exit) view.word = say("EXIT");
+  view.marked = totals(picture);
+  return view;
+}
+
 void fillAlarm(VerdictView& view, const Picture& picture, Trend trend) {
   const Verdict& verdict = picture.verdict();
   const bool chatter = verdict.state == CutState::Chatter;
@@ -121,12 +134,7 @@ VerdictView verdictOf(const Picture& picture, Trend trend) {
   if (picture.stale) return staleVerdict(picture);
   if (!picture.snapshot->running) return noVerdict(say("The run has ended"));
   const Verdict& verdict = picture.verdict();
-  if (!verdict.valid) {
-    const QString why = reasonText(verdict.reason);
-    VerdictView view = noVerdict(why.isEmpty() ? say("The detector gives no reason") : why);
-    view.marked = totals(picture);
-    return view;
-  }
+  if (!hasState(verdict)) return unjudgedVerdict(picture);
   VerdictView view;
   view.word = stateWord(verdict.state);
   if (verdict.alarming()) {

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <initializer_list>
@@ -14,7 +15,9 @@
 #include "ui/models/history/spectrum_view.h"
 #include "ui/models/live_numbers.h"
 #include "ui/pages/analyse_tools.h"
+#include "ui/pages/event_panel.h"
 #include "ui/pages/preset_bar.h"
+#include "ui/plots/machine_plot.h"
 #include "ui/plots/spectrogram/history_map.h"
 #include "ui/plots/spectrum_plot.h"
 #include "ui/plots/trace_plot.h"
@@ -42,16 +45,25 @@ AnalysePage::AnalysePage(QWidget* parent)
       map_(new HistoryMap(view_)),
       trace_(new TracePlot(view_)),
       tracks_(new TrackPlot(view_)),
+      machine_(new MachinePlot(view_)),
+      events_(new EventPanel(QStringLiteral("analyse-events"))),
+      traces_(new QStackedWidget),
+      beside_(new QStackedWidget),
       spectrum_(new SpectrumPlot(view_)),
       bar_(new PresetBar(view_, presets_)),
       grid_(new QGridLayout(this)) {
   map_->setTimesShown(false);
   trace_->setTimesShown(false);
+  machine_->setTimesShown(false);
+  traces_->addWidget(trace_);
+  traces_->addWidget(machine_);
+  beside_->addWidget(spectrum_);
+  beside_->addWidget(events_);
   grid_->addWidget(tools_, 0, 0, 1, 2);
   grid_->addWidget(panel(map_), 1, 0);
-  grid_->addWidget(panel(trace_), 2, 0);
+  grid_->addWidget(panel(traces_), 2, 0);
   grid_->addWidget(panel(tracks_), 3, 0, 2, 1);
-  grid_->addWidget(panel(spectrum_), 1, 1, 3, 1);
+  grid_->addWidget(panel(beside_), 1, 1, 3, 1);
   grid_->addWidget(panel(bar_), 4, 1);
   grid_->setColumnStretch(0, 62);
   grid_->setColumnStretch(1, 38);
@@ -59,6 +71,10 @@ AnalysePage::AnalysePage(QWidget* parent)
   grid_->setRowStretch(2, 22);
   grid_->setRowStretch(3, 14);
   grid_->setRowStretch(4, 14);
+  connect(events_, &EventPanel::wentTo, this, [this](Instant t) {
+    view_.goTo(t);
+    view_.setCursor(AnalyseView::A, t);
+  });
   connect(&view_, &AnalyseView::changed, this, [this] {
     if (view_.options() == told_) return;
     told_ = view_.options();
@@ -68,6 +84,7 @@ AnalysePage::AnalysePage(QWidget* parent)
     connect(&presets_, signal, this, &Page::stateChanged);
   }
   connect(&presets_, &PresetList::dataChanged, this, &Page::stateChanged);
+  connect(tools_, &AnalyseTools::fileAsked, this, [this] { emit fileAsked({}); });
   connect(tools_, &AnalyseTools::referenceAsked, this, [this] {
     spectrum_->toggleReference();
     tools_->setReference(spectrum_->hasReference());
@@ -93,7 +110,11 @@ void AnalysePage::see(const Picture& picture) {
 void AnalysePage::display(const Picture& picture) {
   const RunHistory& history = *picture.history;
   const SessionInfo& info = *picture.info;
-  view_.setReach(history.begin(), history.end(), history.spectrumTop());
+  // What happened is kept for longer than the plots are.
+  const auto& log = history.log().events();
+  const bool further = view_.options().events && !log.empty();
+  view_.setReach(further ? std::min(history.begin(), log.front().time) : history.begin(), history.end(),
+                 history.spectrumTop());
   tools_->setChannels(channelNames(info.setup));
   bar_->display(info);
   std::vector<TrackPlot::Row> rows;
@@ -105,16 +126,36 @@ void AnalysePage::display(const Picture& picture) {
   map_->display(&history, info.setup.teeth, unit);
   trace_->display(picture.signal, unit);
   tracks_->display(&history, std::move(rows), picture.snapshot ? picture.snapshot->inCharge : 0);
+  showEvents(picture);
   spectrum_->display(makeSpectrumView(history, view_, info));
   const PlotState plotState = view_.following() ? picture.plotState() : PlotState::Moves;
   spectrum_->setPlotState(plotState);
-  for (TimePlot* plot : std::initializer_list<TimePlot*>{map_, trace_, tracks_}) {
+  for (TimePlot* plot : std::initializer_list<TimePlot*>{map_, trace_, tracks_, machine_}) {
     plot->setPlotState(plotState);
     plot->setClock([&info](Instant t) { return info.wallMs(t); });
   }
 }
 
+// The list is written anew where there is more to read.
+void AnalysePage::showEvents(const Picture& picture) {
+  const bool events = view_.options().events;
+  traces_->setCurrentWidget(events ? static_cast<QWidget*>(machine_) : trace_);
+  beside_->setCurrentWidget(events ? static_cast<QWidget*>(events_) : spectrum_);
+  if (!events) return;
+  const EventLog& log = picture.history->log();
+  machine_->display(&log.machine(), picture.history->end(), picture.units);
+  if (log.version() == eventsShown_ && picture.units == eventUnits_) return;
+  eventsShown_ = log.version();
+  eventUnits_ = picture.units;
+  const std::vector<RunEvent> all(log.events().begin(), log.events().end());
+  events_->display(
+      all, [&info = *picture.info](Instant t) { return info.wallMs(t); }, picture.units);
+}
+
 void AnalysePage::restart() {
+  machine_->display(nullptr, {}, eventUnits_);
+  events_->display({}, {}, eventUnits_);
+  eventsShown_ = 0;
   view_.restart();
   map_->restart();
   trace_->display(nullptr, {});

@@ -2,16 +2,20 @@
 // any moment of it. GUI thread.
 #pragma once
 
+#include "ui/base/units.h"
 #include "ui/models/history/analyse_view.h"
 #include "ui/models/tune/preset_list.h"
 #include "ui/pages/page.h"
 
 class QGridLayout;
+class QStackedWidget;
 
 namespace stillcut::ui {
 
 class AnalyseTools;
+class EventPanel;
 class HistoryMap;
+class MachinePlot;
 class Panel;
 class PresetBar;
 class SpectrumPlot;
@@ -39,6 +43,7 @@ class AnalysePage : public Page {
 
  private:
   Panel* panel(QWidget* inside);
+  void showEvents(const Picture& picture);
 
   AnalyseView view_;
   PresetList presets_;
@@ -47,10 +52,15 @@ class AnalysePage : public Page {
   HistoryMap* map_;
   TracePlot* trace_;
   TrackPlot* tracks_;
+  MachinePlot* machine_;
+  EventPanel* events_;
+  QStackedWidget *traces_, *beside_;  // signal or machine; spectrum or events
   SpectrumPlot* spectrum_;
   PresetBar* bar_;
   QGridLayout* grid_;
   int channel_ = -1;
+  std::uint64_t eventsShown_ = 0;  // version of the log
+  UnitSystem eventUnits_ = UnitSystem::Metric;
 };
 
 }  // namespace stillcut::ui

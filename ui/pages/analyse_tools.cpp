@@ -35,7 +35,13 @@ AnalyseTools::AnalyseTools(AnalyseView& view, QWidget* parent)
   addToggle(
       QStringLiteral("max-hold"), tr("MAX HOLD"), Qt::Key_M, [](AnalyseOptions& o) { o.maxHold = !o.maxHold; },
       [](const AnalyseOptions& o) { return o.maxHold; });
+  addToggle(
+      QStringLiteral("events"), tr("EVENTS"), Qt::Key_E, [](AnalyseOptions& o) { o.events = !o.events; },
+      [](const AnalyseOptions& o) { return o.events; });
   reference_ = addButton(QStringLiteral("reference"), tr("REFERENCE"), Qt::Key_R);
+  TouchButton* file = addButton(QStringLiteral("analyse-file"), tr("FILE"), Qt::Key_F);
+  file->setCheckable(false);
+  connect(file, &TouchButton::clicked, this, &AnalyseTools::fileAsked);
   row_->addStretch(1);
   row_->addWidget(channel_);
   channel_->setObjectName(QStringLiteral("channel"));

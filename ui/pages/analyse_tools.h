@@ -26,6 +26,7 @@ class AnalyseTools : public QWidget, public Themed {
 
  signals:
   void referenceAsked();
+  void fileAsked();
 
  private:
   using Change = std::function<void(AnalyseOptions&)>;

@@ -2,25 +2,24 @@
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QSettings>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QTableView>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
 #include "core/base/conversions.h"
 #include "ui/base/format.h"
 #include "ui/base/say.h"
+#include "ui/models/learned_view.h"
+#include "ui/pages/lobes/cut_form.h"
 #include "ui/plots/lobe_chart.h"
-#include "ui/widgets/painting.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/text_label.h"
-#include "ui/widgets/touch_button.h"
+#include "ui/widgets/tool_button.h"
 
 namespace stillcut::ui {
 namespace {
@@ -31,10 +30,13 @@ double unitLength(UnitSystem units) {
 
 }  // namespace
 
-LobesPage::LobesPage(FindService find, QWidget* parent)
+LobesPage::LobesPage(FindService find, LobeEntryController* entry, QWidget* parent)
     : Page(parent),
       find_(std::move(find)),
+      entry_(entry),
       chart_(new LobeChart),
+      learned_(new QLabel),
+      places_(new QStackedWidget),
       methods_{new TouchButton(tr("ZEROTH ORDER")), new TouchButton(tr("SEMI-DISCRETE")), new TouchButton(tr("EXACT"))},
       compute_(new TouchButton(tr("COMPUTE"), TouchButton::Look::Advice)),
       progress_(new QProgressBar),
@@ -43,7 +45,7 @@ LobesPage::LobesPage(FindService find, QWidget* parent)
       depth_(new QDoubleSpinBox),
       verdict_(new TextLabel({type_size::kValue, true, false, true})),
       detail_(new QLabel),
-      reach_(new QLabel(tr("In brackets: beyond the override's reach"))),
+      note_(new QLabel),
       pockets_(new QTableView),
       table_(new PocketTable(this)),
       side_(new Panel),
@@ -53,79 +55,17 @@ LobesPage::LobesPage(FindService find, QWidget* parent)
   chooseMethod(method_);
 }
 
-// Longer than a screen: what stands where on the page, from top to bottom
-void LobesPage::layOut() {
-  auto* around = new Panel;
-  auto* chartLayout = new QVBoxLayout(around);
-  chartLayout->setContentsMargins(4, 4, 4, 4);
-  chartLayout->addWidget(chart_);
-  auto* column = new QVBoxLayout(side_);
-  auto* methods = new QHBoxLayout;
-  const std::array<QString, 3> names{QStringLiteral("method-zoa"), QStringLiteral("method-sdm"),
-                                     QStringLiteral("method-exact")};
-  for (std::size_t k = 0; k < methods_.size(); ++k) {
-    methods_[k]->setObjectName(names[k]);
-    methods_[k]->setCheckable(true);
-    methods_[k]->setBaseHeight(50);
-    methods->addWidget(methods_[k]);
-  }
-  column->addLayout(methods);
-  auto* work = new QHBoxLayout;
-  compute_->setObjectName(QStringLiteral("compute"));
-  compute_->setBaseHeight(50);
-  compute_->setKey(Qt::Key_F8);
-  progress_->setRange(0, 100);
-  progress_->setTextVisible(true);
-  progress_->setAccessibleName(tr("Progress of the diagram"));
-  work->addWidget(compute_);
-  work->addWidget(progress_, 1);
-  column->addLayout(work);
-  state_->setWordWrap(true);
-  column->addWidget(state_);
-
-  auto* form = new QGridLayout;
-  auto* speedLabel = new QLabel(tr("What if the speed were"));
-  auto* depthLabel = new QLabel(tr("and the depth"));
-  speed_->setObjectName(QStringLiteral("what-if-speed"));
-  depth_->setObjectName(QStringLiteral("what-if-depth"));
-  speed_->setAccessibleName(tr("Speed, what if"));
-  depth_->setAccessibleName(tr("Depth, what if"));
-  speedLabel->setBuddy(speed_);
-  depthLabel->setBuddy(depth_);
-  speed_->setSuffix(QStringLiteral("\u00a0rpm"));
-  speed_->setSingleStep(50);
-  // Arrows are too small for a glove: the ring is dragged, or the arrow keys pressed.
-  for (QDoubleSpinBox* box : {speed_, depth_}) box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  form->addWidget(speedLabel, 0, 0);
-  form->addWidget(speed_, 0, 1);
-  form->addWidget(depthLabel, 1, 0);
-  form->addWidget(depth_, 1, 1);
-  form->setColumnStretch(1, 1);
-  column->addLayout(form);
-  detail_->setWordWrap(true);
-  verdict_->setObjectName(QStringLiteral("what-if"));
-  column->addWidget(verdict_);
-  column->addWidget(detail_);
-
-  pockets_->setModel(table_);
-  pockets_->setAccessibleName(tr("Stable speeds at this depth"));
-  pockets_->setToolTip(tr("Choose a pocket to try its best speed"));
-  pockets_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  pockets_->setSelectionMode(QAbstractItemView::SingleSelection);
-  pockets_->verticalHeader()->hide();
-  pockets_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  pockets_->horizontalHeader()->setSectionResizeMode(PocketTable::Speeds, QHeaderView::ResizeToContents);
-  pockets_->setTabKeyNavigation(false);
-  column->addWidget(pockets_, 1);
-  reach_->setWordWrap(true);
-  column->addWidget(reach_);
-  grid_->addWidget(around, 0, 0);
-  grid_->addWidget(side_, 0, 1);
-  grid_->setColumnStretch(0, 62);
-  grid_->setColumnStretch(1, 38);
-}
-
 void LobesPage::connectAll() {
+  if (form_ != nullptr) {
+    connect(runs_, &TouchButton::clicked, this, [this] { showOwn(false, false); });
+    // Its second touch goes to and fro between the fields and the diagram.
+    connect(entered_, &TouchButton::clicked, this, [this] {
+      const bool fields = places_->currentWidget() == form_;
+      showOwn(true, !own_ ? entry_->service() == nullptr : !fields || entry_->service() == nullptr);
+    });
+    connect(form_, &CutForm::entered, this, [this] { showOwn(true, false); });
+    connect(form_, &CutForm::stateChanged, this, &Page::stateChanged);
+  }
   for (std::size_t k = 0; k < methods_.size(); ++k) {
     connect(methods_[k], &TouchButton::clicked, this, [this, k] {
       chooseMethod(static_cast<LobeMethodChoice>(k));
@@ -162,26 +102,22 @@ void LobesPage::meet(LobeService* service, bool replay) {
   met_ = true;
   service_ = service;
   diagram_.reset();
+  closeUp_.reset();
+  learnedLobes_.reset();
+  chart_->setLearned(nullptr);
+  learned_->hide();
   const bool known = service_ != nullptr;
   side_->setEnabled(known);
   table_->setPockets({}, units_);
-  reach_->hide();
-  chart_->setVisible(known);  // axes of nothing tell nothing
-  if (!known) {
-    for (QDoubleSpinBox* box : {speed_, depth_}) box->clear();
-    progress_->hide();
-    chart_->setDiagram(nullptr, {});
-    chart_->setWork({}, {});
-    chart_->setAdvice({});
-    verdict_->clear();
-    detail_->clear();
-    state_->setText(
-        replay ? tr("The recording does not say which modes its tool has: there is no diagram of this cut. The "
-                    "machine's own comes back with its cut.")
-               : tr("The modes of this tool are not known. A tap test gives the file of its modes (F1 tells "
-                    "how): name it under Set up, TOOLS; the diagram needs nothing else."));
-    return;
-  }
+  note_->hide();
+  if (places_->currentWidget() == chart_) chart_->setVisible(known);  // axes of nothing tell nothing
+  showSources();
+  // Nothing that was said of the tool before stands beside the numbers of this one.
+  verdict_->clear();
+  detail_->clear();
+  chart_->setWork({}, {});
+  chart_->setAdvice({});
+  if (!known) return showAbsence(replay);
   const LobeFrame& frame = service_->frame();
   chart_->setDiagram(nullptr, frame);
   const QSignalBlocker quietSpeed(speed_), quietDepth(depth_);
@@ -200,6 +136,55 @@ void LobesPage::meet(LobeService* service, bool replay) {
   }
   chart_->setHandle({Rpm(speed_->value()), Metres(depth_->value() * unitLength(units_))});
   if (!service_->diagram() && service_->progress().state == LobeProgress::State::Idle) compute();
+  service_->learn();
+  askCloser();
+}
+
+void LobesPage::showAbsence(bool replay) {
+  for (QDoubleSpinBox* box : {speed_, depth_}) box->clear();
+  progress_->hide();
+  chart_->setDiagram(nullptr, {});
+  QString why;
+  if (own_) {
+    why = tr("Enter tool, modes, material and engagement, or open a file: no machine and no run is needed.");
+  } else if (replay) {
+    why =
+        tr("The recording does not say which modes its tool has: there is no diagram of this cut. The machine's own "
+           "comes back with its cut.");
+  } else {
+    why =
+        tr("The modes of this tool are not known. A tap test gives the file of its modes (F1 tells how): name it "
+           "under Set up, TOOLS; the diagram needs nothing else.");
+    if (form_ != nullptr) why += u' ' + tr("Or touch YOUR OWN CUT and enter them here.");
+  }
+  state_->setText(why);
+}
+
+void LobesPage::showOwn(bool own, bool editing) {
+  own_ = own;
+  const bool fields = own && editing;
+  // What is not on show asks for no room.
+  const auto policy = fields ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+  form_->setSizePolicy(policy, policy);
+  places_->setCurrentWidget(fields ? static_cast<QWidget*>(form_) : chart_);
+  met_ = false;        // with the next picture
+  service_ = nullptr;  // of a cut that may be gone
+  emit stateChanged();
+}
+
+void LobesPage::showSources() {
+  if (form_ == nullptr) return;
+  runs_->setChecked(!own_);
+  entered_->setChecked(own_);
+  entered_->setText(!own_                               ? tr("YOUR OWN CUT")
+                    : places_->currentWidget() == form_ ? tr("BACK TO THE LOBES")
+                                                        : tr("CHANGE YOUR CUT"));
+  entered_->setEnabled(!own_ || entry_->service() != nullptr);
+}
+
+// The exact method alone knows edges and depths closer than the diagram is drawn.
+void LobesPage::askCloser() {
+  if (service_ != nullptr && method_ == LobeMethodChoice::Exact) service_->look(chart_->handle());
 }
 
 void LobesPage::compute() {
@@ -221,9 +206,14 @@ void LobesPage::display(const Picture& picture) {
   const bool otherUnits = picture.units != units_;
   units_ = picture.units;
   chart_->setUnits(units_);
-  if (!met_ || otherUnits) meet(find_(), picture.replay);
+  if (form_ != nullptr) form_->setUnits(units_);
+  if (!met_ || otherUnits) meet(own_ ? entry_->service() : find_(), picture.replay);
   if (service_ == nullptr) return;
   absent_.clear();
+  if (own_) {
+    showProgress();
+    return showAnswers();
+  }
   if (picture.paused) absent_ = tr("The replay is paused");
   if (picture.snapshot != nullptr && picture.stale) absent_ = tr("Nothing new arrives: the working point is not shown");
   if (picture.over()) absent_ = picture.link.ended;
@@ -231,11 +221,41 @@ void LobesPage::display(const Picture& picture) {
     absent_ = tr("The depth of cut is not known: tell it under Set up, MACHINE, and the working point is shown");
   }
   showProgress();
+  showAnswers();
+  showWork(picture);
+}
+
+void LobesPage::showAnswers() {
+  const bool closer = service_->closeUp() != closeUp_;
+  closeUp_ = service_->closeUp();
   if (service_->diagram() != diagram_) {
     diagram_ = service_->diagram();
     showDiagram();
+  } else if (closer) {
+    showWhatIf();
   }
-  showWork(picture);
+  if (service_->learned() != learnedLobes_) {
+    learnedLobes_ = service_->learned();
+    chart_->setLearned(learnedLobes_);
+    showLearned();
+  }
+}
+
+// Of the whole, and of the place of the ring; on a judged cut, what that was.
+void LobesPage::showLearned() {
+  learned_->setVisible(learnedLobes_ != nullptr && places_->currentWidget() == chart_);
+  if (learnedLobes_ == nullptr) return;
+  QString text = learnedLine(*learnedLobes_, units_);
+  const LearnedCut* cut = chart_->cutAt(chart_->place(chart_->handle()));
+  const QString here = cut != nullptr ? evidenceText(*cut, units_) : learnedAt(*learnedLobes_, chart_->handle());
+  if (!here.isEmpty()) text += u'\n' + here;
+  learned_->setText(text);
+}
+
+// Cuts judged since it was looked at last count too.
+void LobesPage::showEvent(QShowEvent* event) {
+  Page::showEvent(event);
+  if (service_ != nullptr) service_->learn();
 }
 
 // At a depth that somebody has told; at a guess it would stand in the wrong place.
@@ -264,7 +284,7 @@ void LobesPage::showProgress() {
     case LobeProgress::State::Idle:
       break;
     case LobeProgress::State::Running:
-      text = tr("Computing; the diagram before stays until it is done");
+      text = diagram_ ? tr("Computing; the diagram becomes finer until it is done") : tr("Computing");
       break;
     case LobeProgress::State::Done:
       text = service_->frame().name;
@@ -302,26 +322,45 @@ void LobesPage::fieldsChanged() {
 void LobesPage::whatIfAsked() {
   asked_ = {service_ != nullptr ? service_->frame().name : QString(), chart_->handle().speed, chart_->handle().depth};
   emit stateChanged();
+  askCloser();
   showWhatIf();
 }
 
 void LobesPage::showWhatIf() {
   if (service_ == nullptr) return;
   const SpeedDepth at = chart_->handle();
-  const WhatIf answer = whatIf(diagram_.get(), service_->frame(), at.speed, at.depth, units_);
+  const LobeCloseUp* closeUp = method_ == LobeMethodChoice::Exact ? closeUp_.get() : nullptr;
+  const WhatIf answer = whatIf(diagram_.get(), service_->frame(), at, units_, closeUp);
   verdict_->setText(answer.verdict);
   detail_->setText(answer.detail);
   verdict_->setTone(answer.tone);
   verdict_->setAccessibleDescription(answer.detail);
-  std::vector<Pocket> pockets = diagram_ ? pocketsAt(*diagram_, service_->frame(), at.depth) : std::vector<Pocket>{};
-  reach_->setVisible(std::ranges::any_of(pockets, [](const Pocket& pocket) { return !pocket.reachable; }));
+  std::vector<Pocket> pockets = pocketsAt(diagram_.get(), service_->frame(), at.depth, closeUp);
+  showNote(at, pockets);
+  showLearned();
   table_->setPockets(std::move(pockets), units_);
+}
+
+void LobesPage::showNote(const SpeedDepth& at, const std::vector<Pocket>& pockets) {
+  QString text;
+  const bool exact =
+      method_ == LobeMethodChoice::Exact && closeUp_ && closeUp_->pocketsKnown && closeUp_->at.depth == at.depth;
+  if (pockets.empty() && exact && closeUp_->deepest) {
+    text = tr("No speed is stable at %1. The deepest stable cut: %2 at %3")
+               .arg(depthText(at.depth, units_), depthText(closeUp_->deepest->depth, units_),
+                    join(number(closeUp_->deepest->speed.value), rpmUnit()));
+  } else if (std::ranges::any_of(pockets, [](const Pocket& pocket) { return !pocket.reachable; })) {
+    text = tr("In brackets: beyond the override's reach");
+  }
+  note_->setText(text);
+  note_->setVisible(!text.isEmpty());
 }
 
 void LobesPage::restart() {
   met_ = false;
   service_ = nullptr;
   diagram_.reset();
+  closeUp_.reset();
 }
 
 void LobesPage::keep(QSettings& settings) const {
@@ -329,6 +368,8 @@ void LobesPage::keep(QSettings& settings) const {
   settings.setValue(QStringLiteral("what-if-tool"), asked_.tool);
   settings.setValue(QStringLiteral("what-if-speed"), asked_.speed.value);
   settings.setValue(QStringLiteral("what-if-depth"), asked_.depth.value);
+  settings.setValue(QStringLiteral("own"), own_);
+  if (form_ != nullptr) form_->keep(settings);
 }
 
 void LobesPage::restore(const QSettings& settings) {
@@ -337,29 +378,9 @@ void LobesPage::restore(const QSettings& settings) {
   asked_ = {settings.value(QStringLiteral("what-if-tool")).toString(),
             Rpm(settings.value(QStringLiteral("what-if-speed")).toDouble()),
             Metres(settings.value(QStringLiteral("what-if-depth")).toDouble())};
-}
-
-void LobesPage::applyTheme(const Theme& theme) {
-  const int margin = theme.px(16), gap = theme.px(10);
-  const int touchGap = std::max(theme.px(12), pixelsFor(kTouchGapMm, this)),
-            high = std::max(theme.px(50), pixelsFor(kTouchMm, this));
-  grid_->setContentsMargins(margin, gap, margin, gap);
-  grid_->setSpacing(gap);
-  side_->layout()->setContentsMargins(margin, margin, margin, margin);
-  side_->layout()->setSpacing(touchGap);
-  for (QLabel* label : side_->findChildren<QLabel*>()) {
-    if (label != verdict_) label->setFont(theme.font(type_size::kBody));
-  }
-  for (QDoubleSpinBox* box : {speed_, depth_}) {
-    box->setFont(theme.font(type_size::kValue));
-    box->setMinimumHeight(high);
-  }
-  progress_->setFont(theme.font(type_size::kBody));
-  progress_->setMinimumHeight(high);
-  pockets_->setFont(theme.font(type_size::kBody));
-  pockets_->horizontalHeader()->setFont(theme.font(type_size::kLabel));
-  pockets_->verticalHeader()->setDefaultSectionSize(high);
-  showWhatIf();
+  if (form_ == nullptr) return;
+  form_->restore(settings);
+  if (settings.value(QStringLiteral("own")).toBool()) showOwn(true, entry_->service() == nullptr);
 }
 
 }  // namespace stillcut::ui

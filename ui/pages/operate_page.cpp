@@ -59,6 +59,7 @@ OperatePage::OperatePage(QWidget* parent)
   connect(advice_, &AdvicePanel::accepted, this, [this] {
     emit asked({OperatorAction::Accept, Authority::Off, adviceShown_});
   });
+  connect(advice_, &AdvicePanel::againAsked, this, &OperatePage::againAsked);
   connect(advice_, &AdvicePanel::refused, this, [this] { emit asked({OperatorAction::Refuse, Authority::Off}); });
   connect(interventions_, &InterventionList::asked, this, &OperatePage::asked);
 }
@@ -104,6 +105,7 @@ void OperatePage::showSpectrogram(const Picture& picture) {
   spectrogram_->setSignal(tr("channel %1").arg(name.startsWith(prefix) ? name.mid(prefix.size()) : name),
                           QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size())), setup.teeth);
   spectrogram_->setPlotState(picture.plotState());
+  spectrogram_->setClock(picture.info->wallMsAtStreamZero);
   if (!picture.snapshot) return;
   const Verdict& verdict = picture.verdict();
   const Tone alarm = alarmTone(picture);

@@ -24,6 +24,8 @@ class Page : public QWidget, public Themed {
   virtual void display(const Picture& picture) = 0;
   // Another cut, replay or machine was opened: what was seen of the one before is forgotten.
   virtual void restart() {}
+  // A file that somebody wants to look at, on a page that shows files; empty: it asks which.
+  virtual void openFile(const QString& path) { static_cast<void>(path); }
   // What outlives a restart: its own group of the settings. Who has something to keep emits stateChanged().
   virtual void keep(QSettings& settings) const { static_cast<void>(settings); }
   virtual void restore(const QSettings& settings) { static_cast<void>(settings); }
@@ -31,7 +33,11 @@ class Page : public QWidget, public Themed {
  signals:
   // Shows another page of the window, by its id.
   void pageAsked(const QString& id);
+  // A recording is to be looked at as a whole; empty: the page for that asks which.
+  void fileAsked(const QString& path);
   void asked(const stillcut::OperatorInput& input);
+  // What has ended is to be run once more.
+  void againAsked();
   // What keep() writes has changed: it is on the disk a second later, whatever becomes of the program.
   void stateChanged();
 };

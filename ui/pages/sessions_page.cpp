@@ -1,5 +1,6 @@
 #include "ui/pages/sessions_page.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -11,10 +12,12 @@
 #include <array>
 #include <utility>
 
+#include "core/model/judged_cut.h"
 #include "ui/base/format.h"
 #include "ui/base/say.h"
 #include "ui/models/live_numbers.h"
 #include "ui/models/session_text.h"
+#include "ui/pages/event_panel.h"
 #include "ui/pages/mark_sheet.h"
 #include "ui/pages/session_list.h"
 #include "ui/pages/tool_button.h"
@@ -69,7 +72,12 @@ SessionsPage::SessionsPage(SessionController* controller, ReportWriter report, Q
   names->addWidget(facts_);
   head->addLayout(names, 1);
   head->addWidget(verdict_);
+  whole_ = toolButton(tr("WHOLE FILE"), tr("Look at this recording as a whole, or open another file"), "session-whole");
+  connect(whole_, &TouchButton::clicked, this,
+          [this] { emit fileAsked(controller_ != nullptr ? controller_->openedPath() : QString()); });
   head->addWidget(everywhere_);
+  head->addWidget(whole_);
+  lines_.push_back(head);
   top->addLayout(head);
   top->addWidget(timeline_, 1);
   top->addWidget(transport_);
@@ -95,8 +103,12 @@ QWidget* SessionsPage::makeBelow() {
   connectMarks();
   sheets->addWidget(marks_);
   sheets->addWidget(makeResults());
+  events_ = new EventPanel(QStringLiteral("session-events"));
+  sheets->addWidget(events_);
+  connect(events_, &EventPanel::wentTo, this, [this](Instant t) { controller_->goTo(sinceEpoch(t)); });
   std::vector<TouchButton*> buttons{toolButton(tr("MARK"), tr("Markers"), "sheet-mark"),
-                                    toolButton(tr("COMPARE"), tr("Compare, score and export"), "sheet-compare")};
+                                    toolButton(tr("COMPARE"), tr("Compare, score and export"), "sheet-compare"),
+                                    toolButton(tr("EVENTS"), tr("What happened in this recording"), "sheet-events")};
   for (std::size_t k = 0; k < buttons.size(); ++k) {
     buttons[k]->setCheckable(true);
     choices->addWidget(buttons[k]);
@@ -248,7 +260,7 @@ void SessionsPage::writeDrawn(const QString& suffix) {
   if (!controller_->summaryWhole())
     return tell(Error{message("export"), message("the recording is still being read"), message("a moment later")}, {});
   const QString file = exportName(suffix);
-  tell(report_(*summary, file, units_), tr("Written: %1").arg(file));
+  tell(report_(*summary, file, units_), tr("Written: %1").arg(breakable(file)));
 }
 
 void SessionsPage::see(const Picture&) {
@@ -275,9 +287,15 @@ void SessionsPage::refresh() {
   }
   list_->refresh();
   const auto summary = any ? controller_->summary() : nullptr;
-  title_->setText(summary ? QFileInfo(QString::fromStdString(summary->file)).fileName() : tr("No recording is open"));
+  title_->setText(summary ? breakable(QFileInfo(QString::fromStdString(summary->file)).fileName())
+                          : tr("No recording is open"));
   const bool whole = summary != nullptr && controller_->summaryWhole();
-  if (whole) {
+  if (whole && !summary->session) {
+    // Nobody has alarmed while it was made: what is said is the answer of now.
+    QStringList facts{sayCore(summary->kind), timeText(summary->length)};
+    if (summary->answer) facts << sayCore(summary->answer->sentences.front());
+    facts_->setText(facts.join(QStringLiteral(" \u00b7 ")));
+  } else if (whole) {
     facts_->setText(tr("%1 · %2 · alarms: %3 · in chatter %4")
                         .arg(sayCore(summary->kind), timeText(summary->length))
                         .arg(summary->alarms)
@@ -287,11 +305,21 @@ void SessionsPage::refresh() {
                         ? QStringLiteral("%1 · %2").arg(sayCore(summary->kind), timeText(summary->length))
                         : QString());
   }
+  showEvents(summary.get());
   const bool open = summary != nullptr;
   for (TouchButton* button : {run_, score_, cut_, everywhere_, beside_}) button->setEnabled(open);
   pdf_->setEnabled(whole);
   scoreAll_->setEnabled(any && !controller_->entries().empty());
   if (any) showResults();
+}
+
+void SessionsPage::showEvents(const SessionSummary* summary) {
+  if (summary == nullptr) return events_->display({}, {}, units_);
+  // Where the time of day is not told, the time since the beginning.
+  const qint64 midnight = QDateTime(QDate::currentDate(), QTime()).toMSecsSinceEpoch();
+  const qint64 begin = summary->started_ns > 0 ? summary->started_ns / 1'000'000 : midnight;
+  events_->display(
+      eventsOf(*summary), [begin](Instant t) { return begin + toNs(t) / 1'000'000; }, units_);
 }
 
 void SessionsPage::showResults() {
@@ -320,7 +348,7 @@ void SessionsPage::display(const Picture& picture) {
   const Snapshot* shown = controller_->replayed();
   const bool judged = shown != nullptr && shown->detectorCount > 0;
   const Verdict* verdict = judged ? &shown->verdicts[static_cast<std::size_t>(shown->inCharge)] : nullptr;
-  verdict_->setText(verdict == nullptr ? QString() : verdict->valid ? stateText(verdict->state) : tr("no verdict"));
+  verdict_->setText(verdict == nullptr ? QString() : hasState(*verdict) ? stateText(verdict->state) : tr("no verdict"));
   verdict_->setTone(verdict == nullptr || !verdict->alarming() ? Tone::Normal
                     : verdict->state == CutState::Chatter      ? Tone::Chatter
                                                                : Tone::Onset);

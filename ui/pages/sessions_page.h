@@ -13,6 +13,7 @@ class QLineEdit;
 
 namespace stillcut::ui {
 
+class EventPanel;
 class MarkSheet;
 class Panel;
 class SessionList;
@@ -41,6 +42,7 @@ class SessionsPage : public Page {
   void connectMarks();
   void refresh();
   void showResults();
+  void showEvents(const SessionSummary* summary);
   void tell(const Status& status, const QString& done);
   void nextFormat();
   void exportChosen();
@@ -57,9 +59,11 @@ class SessionsPage : public Page {
 
   SessionList* list_ = nullptr;
   MarkSheet* marks_ = nullptr;
+  EventPanel* events_ = nullptr;
   QLineEdit* settings_ = nullptr;
   TouchButton *run_ = nullptr, *tuned_ = nullptr, *score_ = nullptr, *scoreAll_ = nullptr, *cut_ = nullptr,
-              *pdf_ = nullptr, *everywhere_ = nullptr, *formatButton_ = nullptr, *stop_ = nullptr, *beside_ = nullptr;
+              *pdf_ = nullptr, *everywhere_ = nullptr, *formatButton_ = nullptr, *stop_ = nullptr, *beside_ = nullptr,
+              *whole_ = nullptr;
   TextLabel *title_ = nullptr, *facts_ = nullptr, *status_ = nullptr, *results_ = nullptr, *verdict_ = nullptr;
   SessionTimeline* timeline_ = nullptr;
   TransportBar* transport_ = nullptr;

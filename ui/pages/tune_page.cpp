@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/model/judged_cut.h"
 #include "ui/base/format.h"
 #include "ui/base/reason_text.h"
 #include "ui/base/say.h"
 #include "ui/models/live_numbers.h"
 #include "ui/pages/active_view.h"
 #include "ui/pages/rule_editor.h"
+#include "ui/pages/sensitivity_panel.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/param_row.h"
@@ -86,6 +88,8 @@ void TunePage::build() {
   rowsColumn->addWidget(source_);
   rowsColumn->addWidget(scroll_, 1);
   middle->addWidget(rowsPanel_, 1);
+  sensitivity_ = new SensitivityPanel;
+  middle->addWidget(sensitivity_, 1);
 
   columns->addWidget(list_, 24);
   columns->addLayout(middle, 50);
@@ -150,6 +154,13 @@ QWidget* TunePage::makeSide() {
   tallyA_ = new TextLabel({type_size::kBody, false, false, true});
   tallyB_ = new TextLabel({type_size::kBody, false, false, true});
   note_ = new TextLabel({type_size::kBody, false, false, true});
+  expertButton_ = tool(tr("EXPERT"), "tune-expert", sidePanel_);
+  expertButton_->setCheckable(true);
+  expertButton_->setAccessibleName(tr("Expert: every method and each of its parameters"));
+  connect(expertButton_, &TouchButton::clicked, this, [this] {
+    setExpert(!expert_);
+    emit stateChanged();
+  });
   column->addWidget(liveTitle);
   column->addWidget(live_);
   column->addWidget(numbers_);
@@ -161,7 +172,25 @@ QWidget* TunePage::makeSide() {
   column->addWidget(tallyB_);
   column->addStretch(1);
   column->addWidget(note_);
+  column->addWidget(expertButton_);
   return sidePanel_;
+}
+
+// Where no limits of the detector in charge are known there is nothing simpler than single parameters.
+void TunePage::setExpert(bool expert) {
+  expert_ = expert;
+  const bool simple = !expert && sensitivity_->known();
+  list_->setVisible(!simple);
+  rowsPanel_->setVisible(!simple);
+  sensitivity_->setVisible(simple);
+  expertButton_->setChecked(!simple);
+  expertButton_->setEnabled(sensitivity_->known());
+  // Back to the defaults, and as it began, are of what is on the screen.
+  const auto& parts = tuning_ != nullptr ? tuning_->tunableParts() : std::vector<TunableComponent>();
+  const auto inCharge = std::ranges::find_if(parts, [](const TunableComponent& part) {
+    return part.inCharge && part.role == TunableComponent::Role::Detector;
+  });
+  if (simple && inCharge != parts.end()) list_->setCurrentIndex(parts_.index(parts_.rowOf(inCharge->id)));
 }
 
 void TunePage::work(TuningController& controller) {
@@ -173,6 +202,7 @@ void TunePage::work(TuningController& controller) {
   connect(&controller, &TuningController::changed, this, [this] {
     for (ParamRow* row : rows_) row->refresh();
     rules_->refresh(nullptr);
+    sensitivity_->refresh();
     refreshTools();
   });
   connect(&controller.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshTools);
@@ -183,13 +213,21 @@ void TunePage::openRun() {
   showPart(nullptr);
   if (tuning_ == nullptr) {
     title_->setText(tr("Nothing to tune: this session has no methods of its own"));
+    sensitivity_->work(nullptr, nullptr);
+    setExpert(expert_);
     refreshTools();
     return;
   }
   run_ = tuning_->tuningRun();
-  parts_.show(tuning_->tunableParts());
+  const std::vector<TunableComponent>& parts = tuning_->tunableParts();
+  parts_.show(parts);
   work(tuning_->controller());
+  const auto inCharge = std::ranges::find_if(parts, [](const TunableComponent& part) {
+    return part.inCharge && part.role == TunableComponent::Role::Detector;
+  });
+  sensitivity_->work(tuning_, inCharge != parts.end() ? &*inCharge : nullptr);
   list_->setCurrentIndex(parts_.index(std::max(parts_.rowOf(before), 0)));
+  setExpert(expert_);
   refreshTools();
 }
 
@@ -245,6 +283,7 @@ void TunePage::see(const Picture& picture) {
   if (tuning_ == nullptr) return;
   if (tuning_->tuningRun() != run_) openRun();
   if (picture.snapshot == nullptr) return;
+  sensitivity_->see(picture);
   controller_->tally().see(*picture.snapshot, static_cast<std::size_t>(controller_->side()));
 }
 
@@ -257,6 +296,7 @@ void TunePage::display(const Picture& picture) {
   if (running && part != nullptr && part->running && rules_->isVisible()) rules_->refresh(tuning_->rulesNow());
   if (active_->isVisible()) active_->display();
   if (running) showOwn();
+  if (sensitivity_->isVisible()) sensitivity_->display(picture);
   showLive(picture);
   tallyA_->setText(QStringLiteral("A: ") + tallyText(controller_->tally().side(0)));
   tallyB_->setText(QStringLiteral("B: ") + tallyText(controller_->tally().side(1)));
@@ -306,7 +346,7 @@ void TunePage::showLive(const Picture& picture) {
     return;
   }
   const Verdict& verdict = picture.snapshot->verdicts[static_cast<std::size_t>(index)];
-  live_->setText(verdict.valid ? stateText(verdict.state) : reasonText(verdict.reason));
+  live_->setText(hasState(verdict) ? stateText(verdict.state) : reasonText(whyNotJudged(verdict)));
   if (verdict.alarming()) live_->setTone(verdict.state == CutState::Chatter ? Tone::Chatter : Tone::Onset);
   for (int k = 0; k < part->indicators.size() && k < kMaxIndicators; ++k) {
     const double value = verdict.indicators[static_cast<std::size_t>(k)];
@@ -322,12 +362,14 @@ void TunePage::save() {
 }
 
 void TunePage::keep(QSettings& settings) const {
+  settings.setValue(QStringLiteral("expert"), expert_);
   if (params_.part() != nullptr) settings.setValue(QStringLiteral("part"), params_.part()->id);
 }
 
 void TunePage::restore(const QSettings& settings) {
   const int row = parts_.rowOf(settings.value(QStringLiteral("part")).toString());
   if (row >= 0) list_->setCurrentIndex(parts_.index(row));
+  setExpert(settings.value(QStringLiteral("expert")).toBool());
 }
 
 void TunePage::applyTheme(const Theme& theme) {

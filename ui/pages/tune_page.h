@@ -22,6 +22,7 @@ class ActiveController;
 class ActiveView;
 class ParamRow;
 class RuleEditor;
+class SensitivityPanel;
 class TextLabel;
 class TouchButton;
 
@@ -49,6 +50,7 @@ class TunePage : public Page {
   void showPart(const TunableComponent* part);
   std::vector<const config::ParamDecl*> openParams() const;
   void refreshTools();
+  void setExpert(bool expert);
   void showOwn();
   void showLive(const Picture& picture);
   void save();
@@ -61,6 +63,8 @@ class TunePage : public Page {
   Theme theme_;
   std::uint32_t run_ = 0;
 
+  bool expert_ = false;  // single parameters, instead of the one control
+  SensitivityPanel* sensitivity_ = nullptr;
   QListView* list_ = nullptr;
   QScrollArea* scroll_ = nullptr;
   QWidget* rowsBox_ = nullptr;
@@ -71,7 +75,7 @@ class TunePage : public Page {
   RuleEditor* rules_ = nullptr;
   ActiveView* active_;
   TouchButton *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr, *start_ = nullptr, *save_ = nullptr;
-  TouchButton *useA_ = nullptr, *useB_ = nullptr, *copy_ = nullptr;
+  TouchButton *useA_ = nullptr, *useB_ = nullptr, *copy_ = nullptr, *expertButton_ = nullptr;
   TextLabel *title_ = nullptr, *source_ = nullptr, *live_ = nullptr, *numbers_ = nullptr, *tallyA_ = nullptr,
             *tallyB_ = nullptr, *note_ = nullptr, *differs_ = nullptr, *own_ = nullptr;
   Panel *sidePanel_ = nullptr, *rowsPanel_ = nullptr;

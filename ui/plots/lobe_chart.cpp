@@ -4,10 +4,12 @@
 #include <QCategoryAxis>
 #include <QChart>
 #include <QGraphicsLayout>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QScatterSeries>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,7 @@
 
 #include "core/base/conversions.h"
 #include "ui/base/format.h"
+#include "ui/models/learned_view.h"
 #include "ui/plots/lobe_marks.h"
 #include "ui/plots/nice_ticks.h"
 #include "ui/plots/touch_input.h"
@@ -195,6 +198,27 @@ void LobeChart::setAdvice(std::optional<Rpm> target) {
   advice_ = target;
 }
 
+void LobeChart::setLearned(std::shared_ptr<const LearnedLobes> learned) {
+  learned_.set(std::move(learned));
+  viewport()->update();
+}
+
+const LearnedCut* LobeChart::cutAt(const QPoint& at) const {
+  return learned_.cutAt(fromView(at), [this](SpeedDepth point) { return onChart(point); });
+}
+
+// A judged cut under the mouse says what it was.
+bool LobeChart::viewportEvent(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    if (const LearnedCut* cut = cutAt(help->pos())) {
+      QToolTip::showText(help->globalPos(), evidenceText(*cut, units_), this);
+      return true;
+    }
+  }
+  return QChartView::viewportEvent(event);
+}
+
 void LobeChart::setHandle(SpeedDepth handle) {
   handle_ = handle;
   viewport()->update();
@@ -240,6 +264,7 @@ void LobeChart::applyTheme(const Theme& theme) {
   };
   shaped(*metOnset_, 3, theme.back(Tone::Onset));
   shaped(*metChatter_, 8, theme.back(Tone::Chatter));
+  learned_.applyTheme(theme);
   chart()->setMargins({0, theme.px(kLobeLegend), 0, 0});
   viewport()->update();
 }
@@ -253,6 +278,7 @@ void LobeChart::drawForeground(QPainter* p, const QRectF&) {
   p->setRenderHint(QPainter::Antialiasing);
   p->save();
   p->setClipRect(chart()->plotArea());
+  learned_.draw(*p, [this](SpeedDepth point) { return onChart(point); });
   drawIslands(*p);
   const LobeMarks marks(*p, theme_, chart()->plotArea());
   marks.ring(onChart(handle_));

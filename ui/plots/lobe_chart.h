@@ -8,6 +8,7 @@
 
 #include "ui/base/themed.h"
 #include "ui/models/lobe_view.h"
+#include "ui/plots/learned_layer.h"
 
 class QAreaSeries;
 class QLineSeries;
@@ -15,11 +16,6 @@ class QScatterSeries;
 class QCategoryAxis;
 
 namespace stillcut::ui {
-
-struct SpeedDepth {
-  Rpm speed{};
-  Metres depth{};
-};
 
 class LobeChart : public QChartView, public Themed {
   Q_OBJECT
@@ -32,6 +28,10 @@ class LobeChart : public QChartView, public Themed {
   void setWork(std::optional<SpeedDepth> now, const std::vector<MetPoint>& met);
   // Where the advice would go, from where the cut is.
   void setAdvice(std::optional<Rpm> target);
+  // Null: nothing was learned.
+  void setLearned(std::shared_ptr<const LearnedLobes> learned);
+  // The judged cut whose dot is there on the widget; null: none.
+  const LearnedCut* cutAt(const QPoint& at) const;
   void setHandle(SpeedDepth handle);
   SpeedDepth handle() const { return handle_; }
   std::optional<SpeedDepth> now() const { return now_; }
@@ -50,6 +50,7 @@ class LobeChart : public QChartView, public Themed {
   void handleMoved();
 
  protected:
+  bool viewportEvent(QEvent* event) override;
   void drawForeground(QPainter* painter, const QRectF& rect) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -90,6 +91,7 @@ class LobeChart : public QChartView, public Themed {
     DepthSpan span;
   };
   std::vector<Island> islands_;
+  LearnedLayer learned_;
   std::optional<SpeedDepth> now_;
   std::optional<Rpm> advice_;
   SpeedDepth handle_;

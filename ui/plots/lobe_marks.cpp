@@ -60,7 +60,7 @@ void LobeMarks::advice(const QPointF& at, double target, Rpm speed) const {
   p_.drawPolygon(QPolygonF{tip, tip + QPointF(back * head, -head * 0.6), tip + QPointF(back * head, head * 0.6)});
   p_.setFont(theme_.font(type_size::kLabel, true));
   p_.setPen(theme_.colors.advice);
-  const QString text = join(number(speed.value), QStringLiteral("rpm"));
+  const QString text = join(number(speed.value), rpmUnit());
   const double wide = p_.fontMetrics().horizontalAdvance(text);
   const double left = std::clamp(target - wide / 2.0, plot_.left() + 2.0, plot_.right() - wide - 2.0);
   p_.drawText(QPointF(left, y + (y < at.y() ? -theme_.px(12) : theme_.px(12) + p_.fontMetrics().ascent())), text);

@@ -202,7 +202,8 @@ QSize SessionTimeline::sizeHint() const {
 }
 
 QSize SessionTimeline::minimumSizeHint() const {
-  const double rows = 2.0 + static_cast<double>(tracks_.size()) + (besideShown() ? 1.0 : 0.0);
+  const double rows =
+      2.0 + static_cast<double>(tracks_.size()) + (besideShown() ? 1.0 : 0.0) + (speedRange().second > 0.0 ? 1.0 : 0.0);
   return {theme_.px(320), theme_.px(60 + kRow * rows + kAxis)};
 }
 

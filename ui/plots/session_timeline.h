@@ -5,6 +5,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/model/marker.h"
@@ -75,6 +76,9 @@ class SessionTimeline : public QWidget, public Themed {
   void paintBand(QPainter& p, const QRectF& box, const std::vector<AlarmSpan>& spans, const QColor& color) const;
   void paintMarks(QPainter& p, const QRectF& box) const;
   void paintAxis(QPainter& p, const QRectF& box) const;
+  void paintSpeed(QPainter& p, const QRectF& box) const;
+  std::pair<double, double> speedRange() const;  // slowest and fastest [rpm]; both 0: not known
+  QString tickText(double seconds, double step) const;
 
   Theme theme_;
   std::shared_ptr<const SessionSummary> summary_;

@@ -77,6 +77,40 @@ void SessionTimeline::paintCurve(QPainter& p, const QRectF& box) const {
   }
 }
 
+// From the slowest to the fastest of the recording, so that every move is seen; the row's name says which those are.
+void SessionTimeline::paintSpeed(QPainter& p, const QRectF& box) const {
+  p.fillRect(box, theme_.colors.track);
+  const auto [slowest, fastest] = speedRange();
+  const double width = std::max(fastest - slowest, 0.02 * fastest);
+  QPolygonF line;
+  const auto draw = [&] {
+    p.setPen(QPen(theme_.colors.text, theme_.px(1.5)));
+    p.drawPolyline(line);
+    line.clear();
+  };
+  for (const SummaryPoint& point : summary_->curve) {
+    if (!(point.speed.value > 0.0) || point.gap) {
+      draw();
+      continue;
+    }
+    line << QPointF(xOf(point.time.value),
+                    box.bottom() - 1.0 - (point.speed.value - slowest) / width * (box.height() - 2.0));
+  }
+  draw();
+}
+
+std::pair<double, double> SessionTimeline::speedRange() const {
+  std::pair<double, double> range{0.0, 0.0};
+  if (!summary_) return range;
+  for (const SummaryPoint& point : summary_->curve) {
+    const double speed = point.speed.value;
+    if (!(speed > 0.0)) continue;
+    range.first = range.second > 0.0 ? std::min(range.first, speed) : speed;
+    range.second = std::max(range.second, speed);
+  }
+  return range;
+}
+
 void SessionTimeline::paintBand(QPainter& p, const QRectF& box, const std::vector<AlarmSpan>& spans,
                                 const QColor& color) const {
   p.fillRect(box, theme_.colors.track);
@@ -111,14 +145,24 @@ void SessionTimeline::paintMarks(QPainter& p, const QRectF& box) const {
   }
 }
 
+// The recording's own time of day, where it is told; else the time since its beginning.
+QString SessionTimeline::tickText(double seconds, double step) const {
+  if (summary_->started_ns <= 0) return timeText(Seconds(seconds));
+  const qint64 wallMs = summary_->started_ns / 1'000'000 + std::llround(seconds * 1e3);
+  if (step >= 1.0) return clockTime(wallMs);
+  return QStringLiteral("%1.%2").arg(clockTime(wallMs)).arg(wallMs % 1000 / 10, 2, 10, QChar(u'0'));
+}
+
 void SessionTimeline::paintAxis(QPainter& p, const QRectF& box) const {
   p.setFont(theme_.font(type_size::kTick));
   p.setPen(theme_.colors.secondary);
-  for (const double tick : niceTicks(viewFrom_, viewTo_, std::max(2, static_cast<int>(box.width() / theme_.px(110))))) {
+  const auto ticks = niceTicks(viewFrom_, viewTo_, std::max(2, static_cast<int>(box.width() / theme_.px(110))));
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+  for (const double tick : ticks) {
     const double x = xOf(tick);
     p.drawLine(QPointF(x, box.bottom()), QPointF(x, box.bottom() + theme_.px(4)));
     p.drawText(QRectF(x - theme_.px(50), box.bottom() + theme_.px(4), theme_.px(100), theme_.px(18)), Qt::AlignCenter,
-               timeText(Seconds(tick)));
+               tickText(tick, step));
   }
 }
 
@@ -134,7 +178,10 @@ void SessionTimeline::paintEvent(QPaintEvent*) {
   }
   const QRectF box = plot();
   const double row = theme_.px(kRow);
-  const double bands = (1.0 + (besideShown() ? 1.0 : 0.0) + static_cast<double>(tracks_.size())) * row;
+  const auto [slowest, fastest] = speedRange();
+  const bool speedKnown = fastest > 0.0;
+  const double bands =
+      (1.0 + (speedKnown ? 1.0 : 0.0) + (besideShown() ? 1.0 : 0.0) + static_cast<double>(tracks_.size())) * row;
   const QRectF curve(box.left(), box.top(), box.width(), std::max(box.height() - bands - theme_.px(6), 10.0));
   p.save();
   p.setClipRect(box.adjusted(-1, 0, 1, 1));
@@ -148,6 +195,10 @@ void SessionTimeline::paintEvent(QPaintEvent*) {
   paintCurve(p, curve);
   if (besideShown()) paintBeside(p, curve);
   double y = curve.bottom() + theme_.px(6);
+  if (speedKnown) {
+    paintSpeed(p, QRectF(box.left(), y, box.width(), row - theme_.px(6)));
+    y += row;
+  }
   paintBand(p, QRectF(box.left(), y, box.width(), row - theme_.px(6)), recorded_, theme_.colors.chatter);
   if (besideShown()) {
     y += row;
@@ -178,6 +229,12 @@ void SessionTimeline::paintEvent(QPaintEvent*) {
     name(curve.bottom() - theme_.px(18), theme_.px(18), QStringLiteral("0"));
   }
   y = curve.bottom() + theme_.px(6);
+  if (speedKnown) {
+    const bool moved = fastest - slowest > 0.005 * fastest;
+    name(y, row - theme_.px(6),
+         join(moved ? QStringLiteral("%1\u2013%2").arg(number(slowest), number(fastest)) : number(fastest), rpmUnit()));
+    y += row;
+  }
   name(y, row - theme_.px(6), tr("as recorded"));
   if (besideShown()) {
     y += row;

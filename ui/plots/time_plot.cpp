@@ -45,6 +45,11 @@ TimePlot::TimePlot(AnalyseView& view, const QString& title, QWidget* parent)
   new TouchInput(this, std::move(fingers));
 }
 
+void TimePlot::setElapsed(bool elapsed) {
+  elapsed_ = elapsed;
+  update();
+}
+
 void TimePlot::setTimesShown(bool shown) {
   timesShown_ = shown;
   update();
@@ -116,8 +121,8 @@ void TimePlot::paintEvent(QPaintEvent*) {
 }
 
 void TimePlot::drawTimes(QPainter& p, const QRect& plot) const {
-  if (!timesShown_ || !wallMs_) return;
-  const double from = static_cast<double>(wallMs_(view_.from())) * 1e-3;
+  if (!timesShown_ || (!wallMs_ && !elapsed_)) return;
+  const double from = elapsed_ ? sinceEpoch(view_.from()).value : static_cast<double>(wallMs_(view_.from())) * 1e-3;
   const std::vector<double> ticks =
       niceTicks(0.0, view_.options().span.value + 1.0, std::max(plot.width() / theme_.px(120), 1));
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
@@ -128,7 +133,9 @@ void TimePlot::drawTimes(QPainter& p, const QRect& plot) const {
     const double x = plot.left() + (wall - from) / view_.options().span.value * plot.width();
     if (x > plot.right() + 1) break;
     p.drawLine(QPointF(x, plot.bottom() + 1), QPointF(x, plot.bottom() + theme_.px(5)));
-    const QString text = clockText(std::llround(wall * 1e3), decimalsFor(step));
+    const int decimals = decimalsFor(step);
+    const QString text =
+        elapsed_ ? join(number(wall, decimals), QStringLiteral("s")) : clockText(std::llround(wall * 1e3), decimals);
     const int w = metrics.horizontalAdvance(text);
     p.drawText(QPointF(std::clamp<double>(x - w / 2.0, 2.0, width() - w - 2.0),
                        plot.bottom() + theme_.px(8) + metrics.ascent()),

@@ -22,6 +22,8 @@ class TimePlot : public QWidget, public Themed {
 
   // Stream time as the clock on the wall.
   void setClock(std::function<qint64(Instant)> wallMs) { wallMs_ = std::move(wallMs); }
+  // Times count from the beginning, where no clock on the wall is known.
+  void setElapsed(bool elapsed);
   // Only the lowest of several plots carries the time.
   void setTimesShown(bool shown);
   // How it is read, beside the title where there is room.
@@ -33,6 +35,7 @@ class TimePlot : public QWidget, public Themed {
   double xOf(Instant t) const;
 
   void applyTheme(const Theme& theme) override;
+  const Theme& shownTheme() const { return theme_; }
 
  protected:
   // What is special to the plot; times and cursors are drawn by this class.
@@ -72,6 +75,7 @@ class TimePlot : public QWidget, public Themed {
   Theme theme_;
   std::function<qint64(Instant)> wallMs_;
   bool timesShown_ = true;
+  bool elapsed_ = false;
   PlotState plotState_ = PlotState::Moves;
   std::optional<QPointF> pressed_;  // where a touch began
   QPointF last_;

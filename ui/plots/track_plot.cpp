@@ -13,7 +13,7 @@ namespace {
 
 // The state is told by height as well as by colour: nothing, low, half, full.
 double heightOf(const TrackPoint& point) {
-  if (!point.valid) return 0.0;
+  if (!point.judged) return 0.0;
   switch (point.state) {
     case CutState::AirCutting:
       return 0.0;
@@ -37,7 +37,7 @@ QColor colorOf(const TrackPoint& point, const Theme& theme) {
 double fullScale(const std::deque<TrackPoint>& track) {
   double full = 1.0;
   for (const TrackPoint& point : track) {
-    if (point.valid && std::isfinite(point.indicator))
+    if (point.judged && std::isfinite(point.indicator))
       full = std::max(full, std::abs(static_cast<double>(point.indicator)));
   }
   return full;
@@ -90,7 +90,7 @@ QFont TrackPlot::fitting(const QString& name, bool bold, double room) {
   const QStringList words = name.split(u' ');
   QFont font;
   double widest = 0.0;
-  for (int halves = static_cast<int>(2.0 * type_size::kTick); halves > 18; --halves) {
+  for (int halves = static_cast<int>(2.0 * type_size::kTick); halves * theme().text > 18.0; --halves) {
     font = theme().font(0.5 * halves, bold);
     widest = 0.0;
     for (const QString& word : words) widest = std::max(widest, QFontMetricsF(font).horizontalAdvance(word));
@@ -116,17 +116,18 @@ void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<Track
     }
     // One rectangle for a whole run of the same state; of the curve one point for each pixel.
     const auto same = [&](const TrackPoint& t) {
-      return t.time <= view().to() && t.valid == begin.valid && t.state == begin.state && (&t == &begin || !t.afterGap);
+      return t.time <= view().to() && t.judged == begin.judged && t.state == begin.state &&
+             (&t == &begin || !t.afterGap);
     };
     for (; it != track.end() && same(*it); ++it) {
       QPolygonF& curve = curves.back();
       const double x = xOf(it->time);
-      const bool shown = it->valid && std::isfinite(it->indicator) && (curve.isEmpty() || x > curve.last().x() + 1.0);
+      const bool shown = it->judged && std::isfinite(it->indicator) && (curve.isEmpty() || x > curve.last().x() + 1.0);
       if (shown) curve << QPointF(x, row.bottom() - row.height() * std::abs(it->indicator) / full);
     }
     const bool goesOn = it != track.end() && !it->afterGap;
     const double right = goesOn ? xOf(it->time) : xOf((it - 1)->time) + 1.0;
-    if (begin.valid) {
+    if (begin.judged) {
       const double high = row.height() * heightOf(begin);
       p.fillRect(QRectF(left, row.bottom() - high, right - left, high), colorOf(begin, theme()));
     } else {
@@ -168,7 +169,7 @@ void TrackPlot::drawReadings(QPainter& p, const QRectF& row, const std::deque<Tr
                                         [](Instant at, const TrackPoint& point) { return at < point.time; });
     if (after == track.begin()) continue;
     const TrackPoint& point = *(after - 1);
-    const QString text = number(point.valid ? static_cast<double>(point.indicator) : std::nan(""), 2);
+    const QString text = number(point.judged ? static_cast<double>(point.indicator) : std::nan(""), 2);
     drawReading(p, row, *t, text);
   }
 }

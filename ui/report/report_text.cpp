@@ -78,6 +78,49 @@ std::size_t movedCount(const SessionSummary& s) {
                                                 [](const Intervention& i) { return toNs(i.commanded) > 0; }));
 }
 
+QString answerText(const SummaryAnswer& answer) {
+  QStringList sentences;
+  for (const Message& message : answer.sentences) {
+    QString sentence = sayCore(message);
+    if (sentence.isEmpty()) continue;
+    sentence[0] = sentence[0].toUpper();
+    sentences << sentence + u'.';
+  }
+  return sentences.join(u' ');
+}
+
+QString whatWasRecorded(const SessionSummary& s, UnitSystem units) {
+  if (!s.session) {
+    return say(
+        "This recording holds measurements only: nobody decided while it was made. Vibration and "
+        "spectrogram are shown as they are.");
+  }
+  if (s.alarms == 0) return say("No chatter was found.");
+  const bool chatter = s.chatterTime.value > 0.0;  // else it was stopped, or went, at its onset
+  QString words = !chatter        ? (s.alarms == 1 ? say("The onset of chatter was found once")
+                                                   : say("The onset of chatter was found %1 times").arg(s.alarms))
+                  : s.alarms == 1 ? say("Chatter began once")
+                                  : say("Chatter began %1 times").arg(s.alarms);
+  if (!s.interventions.empty() && s.interventions.front().frequency.value > 0.0) {
+    words += say(", first at %1").arg(join(number(s.interventions.front().frequency.value), say("Hz")));
+  }
+  words += chatter ? say("; it lasted %1 in all").arg(duration(s.chatterTime)) : say("; it became no chatter");
+  if (s.chatterLength.value > 0.0) words += say(" and marked %1 of path").arg(lengthText(s.chatterLength, units));
+  words += QStringLiteral(". ");
+  const std::size_t moved = movedCount(s);
+  if (moved == 0) {
+    return words + say("The overrides were not touched.");
+  }
+  words += moved == 1 ? say("Stillcut moved speed and feed once; ")
+                      : say("Stillcut moved speed and feed %1 times; ").arg(moved);
+  const std::size_t quiet = quietCount(s);
+  if (quiet == moved)
+    return words + (moved == 1 ? say("the cut was stable again.") : say("each time the cut was stable again."));
+  if (quiet == 0) return words + say("it did not become stable before the cut ended.");
+  return words + (quiet == 1 ? say("once the cut was stable again before it ended.")
+                             : say("%1 times the cut was stable again before it ended.").arg(quiet));
+}
+
 }  // namespace
 
 Facts cutFacts(const SessionSummary& s, UnitSystem units) {
@@ -115,38 +158,17 @@ Facts cutFacts(const SessionSummary& s, UnitSystem units) {
 }
 
 QString whatHappened(const SessionSummary& s, UnitSystem units) {
-  if (!s.session) {
-    return say(
-        "This recording holds measurements only: nobody decided while it was made. Vibration and "
-        "spectrogram are shown as they are.");
-  }
-  if (s.alarms == 0) return say("No chatter was found.");
-  const bool chatter = s.chatterTime.value > 0.0;  // else it was stopped, or went, at its onset
-  QString words = !chatter        ? (s.alarms == 1 ? say("The onset of chatter was found once")
-                                                   : say("The onset of chatter was found %1 times").arg(s.alarms))
-                  : s.alarms == 1 ? say("Chatter began once")
-                                  : say("Chatter began %1 times").arg(s.alarms);
-  if (!s.interventions.empty() && s.interventions.front().frequency.value > 0.0) {
-    words += say(", first at %1").arg(join(number(s.interventions.front().frequency.value), say("Hz")));
-  }
-  words += chatter ? say("; it lasted %1 in all").arg(duration(s.chatterTime)) : say("; it became no chatter");
-  if (s.chatterLength.value > 0.0) words += say(" and marked %1 of path").arg(lengthText(s.chatterLength, units));
-  words += QStringLiteral(". ");
-  const std::size_t moved = movedCount(s);
-  if (moved == 0) {
-    return words + say("The overrides were not touched.");
-  }
-  words += moved == 1 ? say("Stillcut moved speed and feed once; ")
-                      : say("Stillcut moved speed and feed %1 times; ").arg(moved);
-  const std::size_t quiet = quietCount(s);
-  if (quiet == moved)
-    return words + (moved == 1 ? say("the cut was stable again.") : say("each time the cut was stable again."));
-  if (quiet == 0) return words + say("it did not become stable before the cut ended.");
-  return words + (quiet == 1 ? say("once the cut was stable again before it ended.")
-                             : say("%1 times the cut was stable again before it ended.").arg(quiet));
+  if (s.answer && !s.session) return answerText(*s.answer);
+  const QString recorded = whatWasRecorded(s, units);
+  return s.answer ? recorded + u'\n' + say("Judged again: %1").arg(answerText(*s.answer)) : recorded;
 }
 
 Tone whatHappenedTone(const SessionSummary& s) {
+  if (s.answer && !s.session) {
+    return s.answer->finding == Finding::Chatter     ? Tone::Chatter
+           : s.answer->finding == Finding::NotJudged ? Tone::Onset
+                                                     : Tone::Normal;
+  }
   if (!s.session || s.alarms == 0) return Tone::Normal;
   const bool lost = std::any_of(s.interventions.begin(), s.interventions.end(),
                                 [](const Intervention& i) { return i.finished && !i.quiet; });

@@ -16,7 +16,7 @@ namespace stillcut::ui {
 using Facts = std::vector<std::pair<QString, QString>>;
 
 Facts cutFacts(const SessionSummary& summary, UnitSystem units);
-// One paragraph: was there chatter, what was done, what became of it.
+// Was there chatter, what was done, what became of it; and what the detectors say of it now, where they were asked.
 QString whatHappened(const SessionSummary& summary, UnitSystem units);
 Tone whatHappenedTone(const SessionSummary& summary);
 

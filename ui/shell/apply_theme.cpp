@@ -32,11 +32,11 @@ QString styleSheet(const Theme& theme, int touch) {
       {QStringLiteral("@faint"), theme.colors.faint.name()},
       {QStringLiteral("@accentText"), theme.colors.onAdvice.name()},
       {QStringLiteral("@advice"), theme.colors.advice.name()},
-      {QStringLiteral("@body"), QStringLiteral("%1px").arg(theme.px(type_size::kBody))},
+      {QStringLiteral("@body"), QStringLiteral("%1px").arg(theme.textPx(type_size::kBody))},
       {QStringLiteral("@fill"), theme.colors.fill.name()},
       {QStringLiteral("@touch"), QStringLiteral("%1px").arg(touch)},
       {QStringLiteral("@bar"), QStringLiteral("%1px").arg(theme.px(18))},
-      {QStringLiteral("@label"), QStringLiteral("%1px").arg(theme.px(type_size::kLabel))}};
+      {QStringLiteral("@label"), QStringLiteral("%1px").arg(theme.textPx(type_size::kLabel))}};
   for (const auto& [name, value] : values) sheet.replace(name, value);
   return sheet;
 }

@@ -15,12 +15,27 @@ DisplayPanel::DisplayPanel(QWidget* parent) : QWidget(parent), theme_(makeTheme(
       QStringLiteral("theme"),
       {{ThemeKind::Light, tr("LIGHT")}, {ThemeKind::Dark, tr("DARK")}, {ThemeKind::HighContrast, tr("HIGH CONTRAST")}},
       &DisplayChoice::theme);
+  addRow<TextSize>(
+      QStringLiteral("text"),
+      {{TextSize::Normal, tr("TEXT")}, {TextSize::Large, tr("LARGE TEXT")}, {TextSize::Largest, tr("LARGEST TEXT")}},
+      &DisplayChoice::text);
   addRow<UnitSystem>(QStringLiteral("units"), {{UnitSystem::Metric, tr("METRIC")}, {UnitSystem::Inch, tr("INCH")}},
                      &DisplayChoice::units);
   std::vector<std::pair<Language, QString>> languages;
   languages.reserve(std::size(kLanguages));
   for (const Language language : kLanguages) languages.emplace_back(language, nameOfItself(language));
   addRow<Language>(QStringLiteral("language"), languages, &DisplayChoice::language);
+  auto* grid = static_cast<QGridLayout*>(layout());
+  help_ = new TouchButton(tr("HELP"), TouchButton::Look::Plain, this);
+  help_->setObjectName(QStringLiteral("help"));
+  help_->setAccessibleName(tr("The manual of this page"));
+  help_->setHint(QStringLiteral("F1"));
+  help_->setBaseHeight(50);
+  grid->addWidget(help_, grid->rowCount(), 0);
+  connect(help_, &TouchButton::clicked, this, [this] {
+    hide();
+    emit helpAsked();
+  });
   hide();
 }
 

@@ -1,5 +1,6 @@
-// How the screens look: light, dark or high contrast; metric or inch; the language. Lies over the page, takes no focus
-// away from the bar, and goes when its button is touched again. GUI thread.
+// How the screens look: light, dark or high contrast; how large the text is; metric or inch; the language; and the way
+// to the manual. Lies over the page, takes no focus away from the bar, and goes when its button is touched again. GUI
+// thread.
 #pragma once
 
 #include <QWidget>
@@ -17,6 +18,7 @@ class TouchButton;
 
 struct DisplayChoice {
   ThemeKind theme = ThemeKind::Light;
+  TextSize text = TextSize::Normal;
   UnitSystem units = UnitSystem::Metric;
   Language language = Language::English;
   bool operator==(const DisplayChoice&) const = default;
@@ -33,6 +35,7 @@ class DisplayPanel : public QWidget, public Themed {
 
  signals:
   void chosen(const stillcut::ui::DisplayChoice& choice);
+  void helpAsked();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -49,6 +52,7 @@ class DisplayPanel : public QWidget, public Themed {
   Theme theme_;
   DisplayChoice choice_;
   std::vector<Item> items_;
+  TouchButton* help_ = nullptr;
 };
 
 }  // namespace stillcut::ui

@@ -94,12 +94,14 @@ void HeaderBar::paintEvent(QPaintEvent*) {
   const double namesEnd = end - (badge > 0 ? badge + gap : 0.0);
   const TextStyle machineStyle{type_size::kButton, true, theme_.colors.text};
   const TextStyle toolStyle{type_size::kBody, false, theme_.colors.secondary};
-  const double machine = std::min(widthOf(machine_, machineStyle), (namesEnd - x) * 0.5);
+  const double machine = std::min(widthOf(machine_, machineStyle), namesEnd - x);
   text.centred(QRectF(x, 0, machine, height()), machine_, machineStyle);
   x += machine + gap;
-  const double tool = std::min(widthOf(tool_, toolStyle), namesEnd - x);
-  text.centred(QRectF(x, 0, tool, height()), tool_, toolStyle);
-  x += tool + gap;
+  // Whole or not at all: half a tool's name may be another tool's. The tool tip has it.
+  if (const double tool = widthOf(tool_, toolStyle); tool <= namesEnd - x) {
+    text.centred(QRectF(x, 0, tool, height()), tool_, toolStyle);
+    x += tool + gap;
+  }
   if (badge > 0) {
     const QRectF box(x, (height() - theme_.px(30)) / 2.0, badge, theme_.px(30));
     p.setPen(QPen(theme_.colors.text, theme_.px(1.5)));

@@ -1,15 +1,23 @@
 #include "ui/shell/main_window.h"
 
 #include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QGraphicsView>
+#include <QIcon>
+#include <QMimeData>
+#include <QPainter>
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "ui/base/say.h"
 #include "ui/models/strip_view.h"
 #include "ui/pages/page.h"
 #include "ui/plots/touch_input.h"
@@ -19,11 +27,26 @@
 #include "ui/shell/page_table.h"
 #include "ui/widgets/command_bar.h"
 #include "ui/widgets/status_strip.h"
+#include "ui/widgets/verdict_shape.h"
 
 namespace stillcut::ui {
 namespace {
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr qint64 kKeepEveryMs = 1000;  // a dragged slider is not a write each
+
+// The sign of chatter, as the operator's page has it.
+QIcon programIcon() {
+  constexpr int kSide = 64;
+  QPixmap sign(kSide, kSide);
+  sign.fill(Qt::transparent);
+  QPainter p(&sign);
+  p.setRenderHint(QPainter::Antialiasing);
+  const Theme theme = makeTheme(ThemeKind::Light, 1.0);
+  drawVerdictShape(p, QRectF(2, 2, kSide - 4, kSide - 4), Shape::Octagon, theme, theme.colors.chatter,
+                   theme.colors.onChatter);
+  return sign;
+}
 
 // A scroll area gives wrapped texts all the height they would like; a page makes do with its window as long as it can.
 class PageLayout : public QVBoxLayout {
@@ -51,10 +74,12 @@ QScrollArea* scrolled(QWidget* page) {
 MainWindow::MainWindow(SessionFacade& session, std::optional<ThemeKind> theme, std::optional<Language> language)
     : session_(session),
       state_(session.stateFolder()),
-      look_{theme.value_or(state_.theme().value_or(desktopTheme())), state_.units(),
+      look_{theme.value_or(state_.theme().value_or(desktopTheme())), state_.textSize(), state_.units(),
             language.value_or(state_.language().value_or(desktopLanguage()))},
       speaker_(look_.language) {
   setWindowTitle(QStringLiteral("Stillcut"));
+  setAcceptDrops(true);
+  setWindowIcon(programIcon());
   connect(&timer_, &QTimer::timeout, this, [this] { tick(clock_.elapsed()); });
   resize(1280, 800);
   build();
@@ -82,6 +107,7 @@ void MainWindow::build() {
   connect(header_, &HeaderBar::pageAsked, this, qOverload<int>(&MainWindow::showPage));
   connect(header_, &HeaderBar::displayAsked, this, &MainWindow::toggleDisplayPanel);
   connect(display_, &DisplayPanel::chosen, this, &MainWindow::setLook, Qt::QueuedConnection);
+  connect(display_, &DisplayPanel::helpAsked, this, &MainWindow::toggleManual);
   connect(new QShortcut(Qt::Key_F1, centre), &QShortcut::activated, this, &MainWindow::toggleManual);
   connect(new QShortcut(Qt::Key_F12, centre), &QShortcut::activated, this, &MainWindow::nextTheme);
   connect(new QShortcut(Qt::Key_F11, centre), &QShortcut::activated, this, &MainWindow::toggleDisplayPanel);
@@ -111,6 +137,8 @@ void MainWindow::addPages() {
     header_->addPage(title, key, QStringLiteral("page-") + QLatin1String(entry.id));
     connect(new QShortcut(key, centralWidget()), &QShortcut::activated, this, [this, index] { showPage(index); });
     connect(page, &Page::pageAsked, this, qOverload<const QString&>(&MainWindow::showPage));
+    connect(page, &Page::fileAsked, this, &MainWindow::openFile);
+    connect(page, &Page::againAsked, this, &MainWindow::runAgain);
     connect(page, &Page::stateChanged, this, [this] { stateChanged_ = true; });
     connect(page, &Page::asked, this, [this](const OperatorInput& input) { session_.send(input, generation_); });
   }
@@ -121,10 +149,16 @@ void MainWindow::addPages() {
 
 void MainWindow::meetSession() {
   generation_ = session_.generation();
+  notRunAgain_.clear();
   header_->setSession(session_.info());
   history_.clear();
   signal_.prepare(session_.info().setup);
   for (Page* page : pages_) page->restart();
+}
+
+void MainWindow::runAgain() {
+  const Status begun = session_.runAgain();
+  notRunAgain_ = begun ? QString() : sayError(begun.error());
 }
 
 void MainWindow::restorePlace() {
@@ -176,6 +210,9 @@ void MainWindow::tick(qint64 nowMs) {
                   &history_,
                   &signal_,
                   table != nullptr ? table->pull() : nullptr,
+                  replay ? kUnknown : session_.vibrationWithout(snapshot ? snapshot->time : Instant{}),
+                  !replay && session_.mayRunAgain(),
+                  notRunAgain_,
                   replay};
   for (Page* page : pages_) page->see(picture);
   pages_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
@@ -216,6 +253,23 @@ void MainWindow::closeTop() {
 void MainWindow::showPage(const QString& id) {
   const auto found = std::find_if(pages_.begin(), pages_.end(), [&](const Page* p) { return p->objectName() == id; });
   if (found != pages_.end()) showPage(static_cast<int>(found - pages_.begin()));
+}
+
+void MainWindow::openFile(const QString& path) {
+  showPage(QStringLiteral("file"));
+  pages_[static_cast<std::size_t>(stack_->currentIndex())]->openFile(path);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (session_.files() != nullptr && !urls.isEmpty() && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.isEmpty() || !urls.front().isLocalFile()) return;
+  event->acceptProposedAction();
+  openFile(urls.front().toLocalFile());
 }
 
 QString MainWindow::currentPage() const {
@@ -279,6 +333,7 @@ void MainWindow::setLook(const DisplayChoice& look) {
   const bool otherLanguage = look.language != look_.language;
   look_ = look;
   state_.setTheme(look.theme);
+  state_.setTextSize(look.text);
   state_.setUnits(look.units);
   state_.setLanguage(look.language);
   if (!otherLanguage) {
@@ -295,7 +350,7 @@ void MainWindow::setLook(const DisplayChoice& look) {
 
 void MainWindow::retheme() {
   scale_ = scaleForSize(width(), height());
-  applyTheme(*this, makeTheme(look_.theme, scale_));
+  applyTheme(*this, makeTheme(look_.theme, scale_, look_.text));
 }
 
 }  // namespace stillcut::ui

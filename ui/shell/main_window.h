@@ -1,5 +1,5 @@
 // The window: head, page, command bar, status strip, and the display tick that pulls the newest snapshot. Pages come
-// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+6 show a page, Esc closes what lies on top of it
+// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+8 show a page, Esc closes what lies on top of it
 // and nothing else, F1 opens the manual at the part on the page, F12 changes the theme, F11 opens the choice of theme,
 // units and language. Another language makes everything inside the window anew.
 #pragma once
@@ -50,6 +50,8 @@ class MainWindow : public QMainWindow {
   const DisplayChoice& look() const { return look_; }
   void showPage(const QString& id);
   QString currentPage() const;
+  // Shows a recording on the page for that; empty: it asks which.
+  void openFile(const QString& path);
 
  signals:
   // The window was closed; the session must bring the programmed values back.
@@ -58,12 +60,15 @@ class MainWindow : public QMainWindow {
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void build();
   void addPages();
   void showPage(int index);
   void meetSession();
+  void runAgain();
   void closeTop();
   void nextTheme();
   void toggleManual();
@@ -80,6 +85,7 @@ class MainWindow : public QMainWindow {
   bool stateChanged_ = false;  // something that outlives a restart is not on the disk yet
   qint64 nowMs_ = 0, keptMs_ = 0;
   std::uint32_t generation_ = 0;
+  QString notRunAgain_;                  // of this generation
   Freshness freshness_, liveFreshness_;  // of what the pages show, and of the machine's own cut
   RunHistory history_;
   SignalHistory signal_;

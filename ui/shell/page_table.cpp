@@ -4,10 +4,12 @@
 #include <array>
 
 #include "ui/pages/analyse_page.h"
+#include "ui/pages/file/file_page.h"
 #include "ui/pages/lobes_page.h"
 #include "ui/pages/operate_page.h"
 #include "ui/pages/sessions_page.h"
 #include "ui/pages/setup/setup_page.h"
+#include "ui/pages/tap/tap_page.h"
 #include "ui/pages/tune_page.h"
 #include "ui/report/report_files.h"
 
@@ -20,13 +22,15 @@ Page* makeAnalyse(SessionFacade& session) {
   return page;
 }
 
-// By number: 1 Operate, 2 Analyse, 3 Lobes, 4 Tune, 5 Sessions, 6 Set up.
+// By number: 1 Operate, 2 Analyse, 3 Lobes, 4 Tune, 5 Sessions, 6 Set up, 7 Tap test, 8 File.
 constexpr std::array kPages{
     PageEntry{1, "operate", QT_TRANSLATE_NOOP("Pages", "Operate"),
               [](SessionFacade&) -> Page* { return new OperatePage; }},
     PageEntry{2, "analyse", QT_TRANSLATE_NOOP("Pages", "Analyse"), makeAnalyse},
     PageEntry{3, "lobes", QT_TRANSLATE_NOOP("Pages", "Lobes"),
-              [](SessionFacade& session) -> Page* { return new LobesPage([&session] { return session.lobes(); }); }},
+              [](SessionFacade& session) -> Page* {
+                return new LobesPage([&session] { return session.lobes(); }, session.lobeEntry());
+              }},
     PageEntry{4, "tune", QT_TRANSLATE_NOOP("Pages", "Tune"),
               [](SessionFacade& session) -> Page* {
                 return new TunePage(session.tuning(), [&session] { return session.active(); });
@@ -35,6 +39,10 @@ constexpr std::array kPages{
               [](SessionFacade& session) -> Page* { return new SessionsPage(session.sessions(), &writeByName); }},
     PageEntry{6, "setup", QT_TRANSLATE_NOOP("Pages", "Set up"),
               [](SessionFacade& session) -> Page* { return new SetupPage(session.setup()); }},
+    PageEntry{7, "tap", QT_TRANSLATE_NOOP("Pages", "Tap test"),
+              [](SessionFacade& session) -> Page* { return new TapPage(session.tap()); }},
+    PageEntry{8, "file", QT_TRANSLATE_NOOP("Pages", "File"),
+              [](SessionFacade& session) -> Page* { return new FilePage(session.files(), &writeByName); }},
 };
 
 }  // namespace

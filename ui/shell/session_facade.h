@@ -5,15 +5,19 @@
 #include <QString>
 #include <cstdint>
 #include <functional>
+#include <limits>
 
 #include "core/model/operator_input.h"
 #include "core/model/sample_block.h"
 #include "core/model/snapshot.h"
 #include "ui/facade/active_controller.h"
+#include "ui/facade/file_controller.h"
+#include "ui/facade/lobe_entry.h"
 #include "ui/facade/lobe_service.h"
 #include "ui/facade/session_controller.h"
 #include "ui/facade/session_info.h"
 #include "ui/facade/setup_controller.h"
+#include "ui/facade/tap_controller.h"
 #include "ui/models/tune/tuning.h"
 
 namespace stillcut::ui {
@@ -48,12 +52,23 @@ class SessionFacade {
   virtual LinkStatus link() const = 0;
   // Of what the pages show. Null: the modes of that cut are not known.
   virtual LobeService* lobes() { return nullptr; }
+  // A cut entered by hand on the page of the lobes; null: none can be. As long-lived as the session.
+  virtual LobeEntryController* lobeEntry() { return nullptr; }
+  // Of a simulated cut: the vibration it would have at this time without Stillcut (Picture::vibrationWithout).
+  virtual double vibrationWithout(Instant /*t*/) { return std::numeric_limits<double>::quiet_NaN(); }
+  // The cut of liveInfo() can be run once more when it is over; runAgain() does it.
+  virtual bool mayRunAgain() const { return false; }
+  virtual Status runAgain() { return Done{}; }
   // What the Tune page works on; null: nothing. As long-lived as the session.
   virtual Tuning* tuning() { return nullptr; }
   // Recordings and their replay; null: there are none here. As long-lived as the session.
   virtual SessionController* sessions() { return nullptr; }
+  // One recording as a whole and its answer; null: none can be opened here. As long-lived as the session.
+  virtual FileController* files() { return nullptr; }
   // Parts, profiles and tools; null: nothing can be set up here. As long-lived as the session.
   virtual SetupController* setup() { return nullptr; }
+  // The tap test; null: nothing can be measured here. As long-lived as the session.
+  virtual TapController* tap() { return nullptr; }
   // The active work-holder; null: the machine has none. Another one with another generation().
   virtual ActiveController* active() { return nullptr; }
   // Where window and pages keep what outlives a restart; empty: nothing is kept.

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QSettings>
 #include <QVariant>
+#include <algorithm>
 
 #include "ui/pages/page.h"
 
@@ -43,6 +44,15 @@ std::optional<ThemeKind> WindowState::theme() const {
 
 void WindowState::setTheme(ThemeKind kind) {
   write(settings_.get(), "window/theme", static_cast<int>(kind));
+}
+
+TextSize WindowState::textSize() const {
+  const int step = read(settings_.get(), "window/text").toInt();
+  return static_cast<TextSize>(std::clamp(step, 0, static_cast<int>(TextSize::Largest)));
+}
+
+void WindowState::setTextSize(TextSize size) {
+  write(settings_.get(), "window/text", static_cast<int>(size));
 }
 
 UnitSystem WindowState::units() const {

@@ -27,6 +27,8 @@ class WindowState {
   void setGeometry(const QByteArray& geometry);
   std::optional<ThemeKind> theme() const;
   void setTheme(ThemeKind kind);
+  TextSize textSize() const;
+  void setTextSize(TextSize size);
   UnitSystem units() const;
   void setUnits(UnitSystem units);
   std::optional<Language> language() const;

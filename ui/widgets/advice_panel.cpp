@@ -26,7 +26,13 @@ AdvicePanel::AdvicePanel(QWidget* parent)
   refuse_->setKey(Qt::Key_F6);
   accept_->setEnabled(false);
   refuse_->setEnabled(false);
-  connect(accept_, &TouchButton::clicked, this, &AdvicePanel::accepted);
+  connect(accept_, &TouchButton::clicked, this, [this] {
+    if (view_.mode == AdviceView::Mode::Again) {
+      emit againAsked();
+    } else {
+      emit accepted();
+    }
+  });
   connect(refuse_, &TouchButton::clicked, this, &AdvicePanel::refused);
 }
 
@@ -34,7 +40,9 @@ void AdvicePanel::display(const AdviceView& view) {
   if (view == view_) return;
   view_ = view;
   setAccessibleDescription(view.spoken());
-  accept_->setEnabled(view.canAnswer());
+  const bool again = view.mode == AdviceView::Mode::Again;
+  accept_->setText(again ? tr("AGAIN") : tr("ACCEPT"));
+  accept_->setEnabled(view.canAnswer() || again);
   refuse_->setEnabled(view.canAnswer());
   update();
 }
@@ -68,7 +76,7 @@ void AdvicePanel::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   drawPanel(p, rect(), theme_, theme_.colors.panel);
   TextPainter text(p, theme_);
-  const bool idle = view_.mode == AdviceView::Mode::Nothing;
+  const bool idle = view_.mode == AdviceView::Mode::Nothing || view_.mode == AdviceView::Mode::Again;
   const bool grey = idle || view_.mode == AdviceView::Mode::Offered;  // nobody asks for an answer
   const double pad = theme_.px(kPad), inner = width() - 2 * pad;
   const QColor accent = grey ? theme_.colors.secondary : theme_.colors.advice;

@@ -25,6 +25,7 @@ class AdvicePanel : public QWidget, public Themed {
 
  signals:
   void accepted();
+  void againAsked();
   void refused();
 
  protected:

@@ -84,7 +84,7 @@ void CommandBar::showButtons() {
   authority_[2]->setToolTip(!view_.machine      ? tr("No machine link: there is nothing to move")
                             : view_.autoAllowed ? QString()
                                                 : tr("This profile does not grant Auto"));
-  // Said before it is chosen: if this program dies there, the overrides stay where they are.
+  // Said before it is chosen: where this program and its keeper die there, the overrides stay where they are.
   authority_[2]->setHint(view_.machine && view_.autoNeedsSecondTouch ? tr("F4, no watchdog") : QStringLiteral("F4"));
   hold_->setChecked(view_.held);
   hold_->setText(view_.held ? tr("END HOLD") : tr("HOLD"));
@@ -178,7 +178,9 @@ void CommandBar::paintEvent(QPaintEvent*) {
   const double room = (accept_->isHidden() ? hold_ : accept_)->x() - theme_.px(14) - left;
   const bool asking = askedMs_ >= 0;
   const QString first = asking ? tr("This machine has no watchdog") : view_.inCommand;
-  const QString second = asking ? tr("if Stillcut dies, its overrides stay") : view_.since;
+  const QString dies =
+      view_.kept ? tr("cable out or keeper dead: they stay") : tr("if Stillcut dies, its overrides stay");
+  const QString second = asking ? dies : view_.since;
   const QColor color = asking             ? theme_.colors.onsetText
                        : view_.notYetBack ? theme_.colors.chatterText
                                           : theme_.colors.text;

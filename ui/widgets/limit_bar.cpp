@@ -19,13 +19,21 @@ void LimitBar::drawScale(QPainter& p, const QRectF& bed) const {
     const double x = bed.left() + bed.width() * k / kParts;
     p.drawLine(QPointF(x, bed.bottom()), QPointF(x, bed.bottom() + theme_.px(4)));
   }
-  if (!view_.known || view_.full.isEmpty()) return;
+  const QString& text = view_.withoutText.isEmpty() ? view_.full : view_.withoutText;
+  if (!view_.known || text.isEmpty()) return;
   p.setFont(theme_.font(type_size::kTick));
-  const double wide = p.fontMetrics().horizontalAdvance(view_.full) + theme_.px(6);
+  const double wide = p.fontMetrics().horizontalAdvance(text) + theme_.px(6);
   if (bed.width() * (1.0 - view_.fraction) < wide) return;  // the bar itself says that it is near the end
   p.setPen(theme_.colors.secondary);
-  p.drawText(bed.adjusted(0, -theme_.px(2), -theme_.px(4), theme_.px(2)), Qt::AlignRight | Qt::AlignVCenter,
-             view_.full);
+  p.drawText(bed.adjusted(0, -theme_.px(2), -theme_.px(4), theme_.px(2)), Qt::AlignRight | Qt::AlignVCenter, text);
+}
+
+// What it would be without us: an outline around what it is.
+void LimitBar::drawWithout(QPainter& p, const QRectF& bed) const {
+  if (view_.without < 0.0 || !view_.known) return;
+  p.setBrush(Qt::NoBrush);
+  p.setPen(QPen(theme_.colors.chatterText, theme_.px(2), Qt::DashLine));
+  p.drawRect(QRectF(bed.left(), bed.top() - theme_.px(2), bed.width() * view_.without, bed.height() + theme_.px(4)));
 }
 
 LimitBar::LimitBar(QWidget* parent) : QWidget(parent), theme_(makeTheme(ThemeKind::Light, 1.0)) {
@@ -36,7 +44,8 @@ void LimitBar::display(const BarView& view) {
   if (view == view_) return;
   view_ = view;
   setAccessibleName(view.label);
-  setAccessibleDescription(view.value);
+  setAccessibleDescription(view.withoutText.isEmpty() ? view.value
+                                                      : QStringLiteral("%1, %2").arg(view.value, view.withoutText));
   update();
 }
 
@@ -72,6 +81,7 @@ void LimitBar::paintEvent(QPaintEvent*) {
     p.fillRect(bed, QBrush(theme_.colors.hatch, Qt::BDiagPattern));
   }
   drawScale(p, bed);
+  drawWithout(p, bed);
   p.setPen(QPen(view_.counts ? theme_.colors.text : theme_.colors.faint, theme_.px(2)));
   for (const double mark : view_.marks) {
     const double x = bed.left() + bed.width() * mark;

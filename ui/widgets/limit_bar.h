@@ -26,6 +26,7 @@ class LimitBar : public QWidget, public Themed {
 
  private:
   void drawScale(QPainter& p, const QRectF& bed) const;
+  void drawWithout(QPainter& p, const QRectF& bed) const;
 
   Theme theme_;
   BarView view_;

@@ -32,13 +32,23 @@ double capHeight(const Theme& theme, double size, bool bold) {
   return QFontMetricsF(theme.font(size, bold)).capHeight();
 }
 
+namespace {
+
+// Where there is no room for larger text it stays as small as it would be without.
+double leastShare(const Theme& theme, const TextStyle& style) {
+  return style.smallest * theme.px(style.size) / theme.textPx(style.size);
+}
+
+}  // namespace
+
 QFont TextPainter::fit(double width, const QString& text, const TextStyle& style) {
-  const int smallest = static_cast<int>(std::lround(style.smallest * 100));
+  const double least = leastShare(theme_, style);
+  const int smallest = static_cast<int>(std::lround(least * 100));
   for (int percent = 100; percent > smallest; percent -= 2) {
-    const QFont font = theme_.font(style.size * percent / 100.0, style.bold);
+    const QFont font = theme_.font(style.size, style.bold, percent / 100.0);
     if (QFontMetricsF(font).horizontalAdvance(text) <= width) return font;
   }
-  const QFont font = theme_.font(style.size * style.smallest, style.bold);
+  const QFont font = theme_.font(style.size, style.bold, least);
   if (QFontMetricsF(font).horizontalAdvance(text) > width) clipped_ = true;
   return font;
 }
@@ -67,12 +77,13 @@ void TextPainter::centred(const QRectF& box, const QString& text, const TextStyl
 double TextPainter::block(const QRectF& box, const QString& text, const TextStyle& style) {
   if (text.isEmpty()) return box.top();
   const int flags = Qt::TextWordWrap | static_cast<int>(style.align) | Qt::AlignTop;
+  const double least = leastShare(theme_, style);
   for (double share = 1.0;; share -= 0.04) {
-    const QFont font = theme_.font(style.size * std::max(share, style.smallest), style.bold);
+    const QFont font = theme_.font(style.size, style.bold, std::max(share, least));
     const QRectF needed =
         QFontMetricsF(font).boundingRect(QRectF(box.left(), box.top(), box.width(), 1e4), flags, text);
     const bool fits = needed.height() <= box.height() + 1.0 && needed.width() <= box.width() + 1.0;
-    if (!fits && share > style.smallest) continue;
+    if (!fits && share > least) continue;
     clipped_ = clipped_ || !fits;
     p_.setFont(font);
     p_.setPen(style.color);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/base/json_schema.h"
+#include "app/cli/json_line.h"
 #include "core/evaluate/answer_json.h"
 #include "core/evaluate/answer_text.h"
 
@@ -109,20 +109,20 @@ void printTable(const Analysis& a) {
   printOwnValues(a.own);
 }
 
-void printJson(const Analysis& a) {
-  nlohmann::json object{{"schema", kJsonSchema},
-                        {"command", "analyze"},
-                        {"type", "answer"},
-                        {"recording", a.recording},
-                        {"answer", evaluate::toJson(a.answers.front())},
-                        {"kind", a.format.kind},
-                        {"rate_hz", a.format.rate.value},
-                        {"channels", a.format.channels.size()},
-                        {"length_s", a.format.length().value},
-                        {"remarks", a.remarks},
-                        {"truth", a.truth ? nlohmann::json(a.truth->from) : nlohmann::json()},
-                        {"detectors", nlohmann::json::array()},
-                        {"own_values", ownJson(a.own)}};
+void printAnswerLine(const Analysis& a) {
+  nlohmann::json object = jsonObject("analyze", "answer");
+  object["recording"] = a.recording;
+  object["answer"] = evaluate::toJson(a.answers.front());
+  object["kind"] = a.format.kind;
+  object["rate_hz"] = a.format.rate.value;
+  object["channels"] = a.format.channels.size();
+  object["length_s"] = a.format.length().value;
+  object["started_utc_ms"] =
+      a.format.started_ns > 0 ? nlohmann::json(a.format.started_ns / 1'000'000) : nlohmann::json();
+  object["remarks"] = a.remarks;
+  object["truth"] = a.truth ? nlohmann::json(a.truth->from) : nlohmann::json();
+  object["detectors"] = nlohmann::json::array();
+  object["own_values"] = ownJson(a.own);
   for (std::size_t d = 0; d < a.detectors.size(); ++d) {
     nlohmann::json row;
     toJson(row, a.detectors[d]);
@@ -131,12 +131,6 @@ void printJson(const Analysis& a) {
     object["detectors"].push_back(row);
   }
   printJsonLine(object);
-}
-
-void printJsonLine(const nlohmann::json& object) {
-  // A file name may hold bytes that are no UTF-8.
-  std::printf("%s\n", object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-  std::fflush(stdout);
 }
 
 }  // namespace stillcut::app

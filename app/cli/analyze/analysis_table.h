@@ -2,7 +2,6 @@
 // truth where a recording comes with one (recorded_truth.h).
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,18 +17,16 @@ namespace stillcut::app {
 struct Analysis {
   std::string recording;
   record::RecordingFormat format;
-  std::vector<std::string> remarks;  // what the answer rests on that nobody has told
+  std::vector<std::string> remarks;  // what the answer assumes because it was not given
   std::vector<evaluate::VerdictLog::Summary> detectors;
   std::vector<RecordingAnswer> answers;  // of each detector; the first is in charge
   std::optional<evaluate::RecordedTruth> truth;
   std::vector<evaluate::AlarmScore> scores;          // of each detector, where there is a truth
-  std::vector<evaluate::AutoValueLog::Entry> own{};  // what is to be told of them
+  std::vector<evaluate::AutoValueLog::Entry> own{};  // what is to be printed of them
 };
 
 void printTable(const Analysis& analysis);
 // One object in one line.
-void printJson(const Analysis& analysis);
-// In one line, whatever bytes a name holds, and at once.
-void printJsonLine(const nlohmann::json& object);
+void printAnswerLine(const Analysis& analysis);
 
 }  // namespace stillcut::app

@@ -8,9 +8,10 @@
 
 #include "app/cli/analyze/analysis_table.h"
 #include "app/cli/analyze/analyze_options.h"
+#include "app/cli/analyze/speed_doubt.h"
 #include "app/cli/analyze/standard_input.h"
 #include "app/cli/command.h"
-#include "core/base/json_schema.h"
+#include "app/cli/json_line.h"
 #include "core/evaluate/audacity_labels.h"
 #include "core/evaluate/series_log.h"
 #include "core/storage/atomic_file.h"
@@ -67,9 +68,7 @@ class Course {
       judge_.log(d).appendEvents(changes, printed_[d]);
       printed_[d] = judge_.log(d).changes();
       for (nlohmann::json& change : changes) {
-        change["schema"] = kJsonSchema;
-        change["command"] = "analyze";
-        change["type"] = "change";
+        change.update(jsonObject("analyze", "change"));
         change["recording"] = recording_;
         printJsonLine(change);
       }
@@ -85,16 +84,16 @@ class Course {
   std::vector<std::size_t> printed_;  // changes of each detector
 };
 
-// What the answer rests on that nobody has told.
+// What the answer assumes because it was not given.
 std::vector<std::string> remarks(const CutSetup& setup, const record::RecordingFormat& format, bool measuredSpeed,
                                  double spindle_Hz) {
   std::vector<std::string> lines;
   for (const Message& note : format.notes) lines.push_back(text(note));
-  if (setup.teeth <= 0) lines.emplace_back("teeth not told (--teeth): judged by spindle harmonics alone");
+  if (setup.teeth <= 0) lines.emplace_back("teeth not given (--teeth): judged by spindle harmonics alone");
   if (setup.nominalSpeed.value > 0.0 || measuredSpeed) return lines;
   char text[96];
   std::snprintf(text, sizeof text, "taken from the signal, on average %.0f rpm", 60.0 * spindle_Hz);
-  lines.push_back("speed not told (--speed, --speed-log): " +
+  lines.push_back("speed not given (--speed, --speed-log): " +
                   std::string(spindle_Hz > 0.0 ? text : "none found in the signal, nothing can be judged against it"));
   return lines;
 }
@@ -133,6 +132,8 @@ Result<Answered> analyzeOne(const AnalyzeOptions& given, const RecordingOptions&
   }
   if (given.values || given.json) a.own = judge.ownValues();
   answered.finding = a.answers.front().finding;
+  const std::string doubt = speedDoubt(path, options.read, a.answers.front().channels, options.speed);
+  if (!doubt.empty()) a.remarks.push_back(doubt);
   return answered;
 }
 
@@ -144,11 +145,10 @@ Error named(Error error, const std::string& path, const std::string& recording) 
 }
 
 void printError(const std::string& recording, const Error& error) {
-  printJsonLine({{"schema", kJsonSchema},
-                 {"command", "analyze"},
-                 {"type", "error"},
-                 {"recording", recording},
-                 {"error", error.line()}});
+  nlohmann::json line = jsonObject("analyze", "error");
+  line["recording"] = recording;
+  line["error"] = error.line();
+  printJsonLine(line);
 }
 
 int exitCodeOf(Finding finding, bool strict) {
@@ -177,7 +177,7 @@ int analyze(const AnalyzeOptions& given) {
       code = std::max(code, fail(error));
       continue;
     }
-    given.json ? printJson(answered->analysis) : printTable(answered->analysis);
+    given.json ? printAnswerLine(answered->analysis) : printTable(answered->analysis);
     if (several && !given.json) std::printf("\n");
     code = std::max(code, exitCodeOf(answered->finding, given.strict));
   }

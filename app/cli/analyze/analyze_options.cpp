@@ -6,6 +6,7 @@
 #include "app/cli/out_path.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
+#include "core/config/nearest_word.h"
 #include "core/detect/registry.h"
 #include "core/pipeline/catalog.h"
 
@@ -46,6 +47,19 @@ Status checkOutputs(const AnalyzeOptions& given) {
   return Done{};
 }
 
+Status checkDetector(const std::string& id) {
+  if (id.empty() || id == "all") return Done{};
+  std::vector<std::string_view> ids;
+  std::string all = "all";
+  for (const auto& row : detect::detectorTable()) {
+    if (row.id == id) return Done{};
+    ids.push_back(row.id);
+    all += ", " + std::string(row.id);
+  }
+  const Message near = config::didYouMean(id, ids);
+  return Error{"--detector", message("'%1' is no detector", id), near.empty() ? message("choices: %1", all) : near};
+}
+
 Status checkOptions(const AnalyzeOptions& given) {
   if (given.teethGiven && (given.teeth < 1 || given.teeth > kMostTeeth)) {
     return Error{"--teeth", message("%1 is out of range", std::to_string(given.teeth)),
@@ -54,6 +68,7 @@ Status checkOptions(const AnalyzeOptions& given) {
   if (given.speedGiven && !(given.speed > 0.0 && given.speed <= kHighestSpeed)) {
     return Error{"--speed", message("the speed must be above zero and at most 1e6 rpm")};
   }
+  if (Status known = checkDetector(given.detector); !known) return known;
   return checkOutputs(given);
 }
 
@@ -77,7 +92,7 @@ void AnalyzeOptions::add(CLI::App& command) {
       ->excludes(speedGivenBy);
   command.add_option("--profile", profile, "Tool, speed, parameters, limits and lobes of this profile (.toml)");
   reading.add(command);
-  command.add_option("--detector", detector, "Detector id, or all");
+  command.add_option("--detector", detector, "Detector, or all")->type_name(detectorWords(true));
   command.add_option("--events", events, "Write every change of state to OUT.json");
   command.add_option("--series", series, "Write state, speed and indicators of every block to OUT.csv");
   command.add_option("--labels", labels, "Write alarms and what was not judged to OUT.txt, as labels of Audacity");

@@ -1,4 +1,4 @@
-// What `analyze` is told: options, checked and understood, one set for all its recordings.
+// What `analyze` is given: options, checked and understood, one set for all its recordings.
 // Thread: main.
 #pragma once
 

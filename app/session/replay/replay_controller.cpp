@@ -1,9 +1,11 @@
 #include "app/session/replay/replay_controller.h"
 
+#include <QDateTime>
 #include <QFileInfo>
 #include <algorithm>
 #include <utility>
 
+#include "app/session/file/file_judgement.h"
 #include "app/session/replay/detector_runs.h"
 #include "app/session/replay/scenario_list.h"
 #include "app/session/replay/stoppable_reader.h"
@@ -18,6 +20,12 @@ namespace {
 
 constexpr double kSamePlace_s = 0.1;  // the newest picture and the place in the file are not of one moment
 
+// Its own time of day; where it does not tell any, clocks count from its beginning: 00:00:00.
+qint64 wallMsOf(const SessionSummary& summary) {
+  if (summary.started_ns > 0) return summary.started_ns / 1'000'000;
+  return QDateTime(QDate::currentDate(), QTime(0, 0)).toMSecsSinceEpoch();
+}
+
 }  // namespace
 
 // What was marked is written, whatever else is left.
@@ -25,6 +33,17 @@ ReplayController::~ReplayController() {
   closeRun();
   for (BackgroundTask* task : {&task_, &whole_}) task->cancel();
   (void)changes_->make().ok();
+}
+
+std::vector<std::string> ReplayController::newest(int most) const {
+  std::vector<const ui::SessionEntry*> byTime;
+  for (const ui::SessionEntry& entry : entries()) byTime.push_back(&entry);
+  std::ranges::stable_sort(byTime, std::greater{}, &ui::SessionEntry::wallMs);
+  std::vector<std::string> paths;
+  for (const ui::SessionEntry* entry : byTime) {
+    if (static_cast<int>(paths.size()) < most) paths.push_back(entry->path.toStdString());
+  }
+  return paths;
 }
 
 void ReplayController::closeRun() {
@@ -78,6 +97,11 @@ void ReplayController::readWhole() {
           return !progress.stopped();
         });
         if (!read) return read.error();
+        if (!read->session) {
+          const auto judged = judgeFile(file, {}, FileDetectors::Default, progress);
+          if (!judged && progress.stopped()) return judged.error();
+          if (judged) read->answer = sentencesOf(*judged);
+        }
         return BackgroundTask::Apply([this, summary = std::make_shared<const SessionSummary>(std::move(read).value())] {
           summary_ = summary;
           summaryWhole_ = true;
@@ -100,6 +124,8 @@ void ReplayController::takeOpened(const std::shared_ptr<OpenedRecording>& opened
   info_ = sessionInfo(*opened->rig);
   const std::string& known = info_.setup.machine;
   const QString machine = known.empty() ? QFileInfo(path_).fileName() : viewText(known);
+  wallMsAtStart_ = wallMsOf(*summary_);
+  info_.wallMsAtStreamZero = wallMsAtStart_ - toNs(begin_) / 1'000'000;
   info_.setup.machine = QCoreApplication::translate("Session", "Replay: %1").arg(machine).toStdString();
   lead(opened);
   if (began) began(true);
@@ -134,8 +160,11 @@ void ReplayController::send(const OperatorInput& input) {
 // Where the recording is now tells how deep its programme cuts now.
 const Snapshot* ReplayController::replayed() {
   const Snapshot* seen = run_ ? run_->read() : nullptr;
-  if (seen == nullptr || !lobes_) return seen;
+  if (seen == nullptr) return seen;
   const Instant start = seen->time - toDuration(run_->control().position());
+  info_.wallMsAtStreamZero = wallMsAtStart_ - toNs(start) / 1'000'000;
+  takeOwnLimits(info_.limits, run_->rig());
+  if (!lobes_) return seen;
   const auto before = lobes_->start();
   if (!before || std::abs(secondsBetween(*before, start).value) > kSamePlace_s) lobes_->setStart(start, seen->time);
   return seen;

@@ -42,6 +42,8 @@ class ReplayController final : public ui::SessionController {
   std::function<QStringList()> tuned;
   // The rig of another recording, or of the same one begun anew.
   std::function<void(bool another)> began;
+  // Of the folder's recordings, newest first.
+  std::vector<std::string> newest(int most) const;
   // Counts what was opened and shown.
   std::uint32_t generation() const { return generation_; }
 
@@ -117,7 +119,8 @@ class ReplayController final : public ui::SessionController {
   std::unique_ptr<ReplayRun> run_;
   std::unique_ptr<LobeWorker> lobes_;
   ui::SessionInfo info_;
-  ui::ReplayState hand_;  // pace, loop
+  qint64 wallMsAtStart_ = 0;  // clock on the wall at the first sample, ms since 1970
+  ui::ReplayState hand_;      // pace, loop
   bool everywhere_ = false;
   bool changed_ = true;
   std::uint32_t generation_ = 0;

@@ -87,6 +87,9 @@ void SessionLister::take(const QString& path, const std::optional<record::Sessio
     if (!seen) continue;
     entry.length = seen->length;
     entry.markers = seen->markers;
+    entry.alarms = seen->alarms;
+    entry.alarmed = seen->alarmed;
+    entry.startedMs = seen->started_ns / 1'000'000;
   }
 }
 

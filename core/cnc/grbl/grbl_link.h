@@ -64,8 +64,9 @@ class GrblLink final : public CncLink {
   void moveOverrides(Instant now) noexcept;
   struct Axis : SharedOverride {
     Axis()
-        : SharedOverride(kGrblLowest, kGrblHighest,
-                         {.sightings = 2, .inOrder = false, .latestEcho = std::chrono::seconds(1)}) {}
+        : SharedOverride(
+              kGrblLowest, kGrblHighest,
+              {.sightings = 2, .lateAfterHand = false, .inOrder = false, .latestEcho = std::chrono::seconds(1)}) {}
     bool adrift = false;  // a step of ours was taken or lost, and no report has told since
   };
   void resynchronise() noexcept;

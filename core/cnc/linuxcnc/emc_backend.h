@@ -13,6 +13,9 @@
 
 namespace stillcut::cnc {
 
+// A server that lies once, or for a while, is no hand.
+inline constexpr SharedOverride::Manners kEmcManners{.sightings = 2};
+
 struct EmcOverrides {
   SharedOverride speed, feed;
   Ratio adaptiveFeed{1.0};  // a factor of its own, where the hand has one; it reduces only

@@ -43,7 +43,7 @@ OverrideInhibit HalBackend::block(Instant) const noexcept {
 bool HalBackend::done(const EmcOverrides& knobs) const noexcept {
   // Without a connection the machine has gone home by itself; what another client holds is its own affair.
   const bool notOurs = report_.standing == HalLeaseState::Home || report_.standing == HalLeaseState::Taken;
-  return !up() || (knobs.speed.atBase() && knobs.feed.atBase() && !last_.hold && notOurs);
+  return !up() || (!left(knobs.speed) && !left(knobs.feed) && !last_.hold && notOurs);
 }
 
 void HalBackend::close() noexcept {
@@ -89,6 +89,10 @@ void HalBackend::listen(Instant now) noexcept {
     });
     if (n < bytes.size()) break;
   }
+}
+
+bool HalBackend::left(const SharedOverride& knob) {
+  return knob.known() && knob.shown() != percentOf(knob.base());
 }
 
 bool HalBackend::arrived(const SharedOverride& knob) {

@@ -42,8 +42,8 @@ class HalBackend final : public EmcBackend {
     Instant since{};
   };
   static bool arrived(const SharedOverride& knob);
-  // Something of ours is seen to stand there.
-  static bool left(const SharedOverride& knob) { return knob.known() && !knob.atBase(); }
+  // Something of ours is seen to stand there; what is on its way home may have been lost on it.
+  static bool left(const SharedOverride& knob);
   static std::optional<int> turn(SharedOverride& knob, Turned& turned, int target, std::optional<int> kept,
                                  Instant now) noexcept;
   double feedBySpeed(const SharedOverride& speed, double wanted, double present) const noexcept;

@@ -57,7 +57,8 @@ LinuxCncLink::LinuxCncLink(const LinuxCncSettings& settings, Wires wires, const 
       backend_(makeBackend(settings, std::move(wires.control), clock)),
       watch_(std::move(wires.watch), settings.password),
       hal_(std::move(wires.hal), settings.password),
-      overrides_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}},
+      overrides_{{settings.lowestSpeed, settings.highestSpeed, kEmcManners},
+                 {settings.lowestFeed, settings.highestFeed, kEmcManners}},
       // Always with the spindle's number: without it these requests crash the server, and the machine with it.
       questions_{{{"get feed_override", kOverridesEvery},
                   {"get spindle_override 0", kOverridesEvery},
@@ -117,7 +118,8 @@ Status LinuxCncLink::open() {
 Error LinuxCncLink::backendFault() const {
   const std::string where(backend_->address());
   if (!backend_->heard())
-    return {where, message("no answer"), message("is stillcut-hal loaded by the machine's HAL file?")};
+    return {where, message("no answer"),
+            message("is stillcut-hal loaded by the machine's HAL file, and LinuxCNC started by this user?")};
   return {where, message("the machine's watchdog was not seen to act"), message("is stillcut.hal wired as it came?")};
 }
 
@@ -169,8 +171,13 @@ void LinuxCncLink::watchMachine(Instant now) noexcept {
     for (Question& q : questions_) q.asked.reset();
     return;
   }
-  if (status_.spindleOverride.when == now) overrides_.speed.seen(status_.spindleOverride.value, now);
-  if (status_.feedOverride.when == now) overrides_.feed.seen(status_.feedOverride.value, now);
+  const auto look = [now](SharedOverride& knob, const auto& read, Question& question) {
+    if (read.when != now) return;
+    knob.seen(read.value, now);
+    if (knob.doubted()) question.asked.reset();  // the next reading decides, and is asked for at once
+  };
+  look(overrides_.feed, status_.feedOverride, questions_[0]);
+  look(overrides_.speed, status_.spindleOverride, questions_[1]);
   readSinceHand_ += (status_.spindleOverride.when == now ? 1 : 0) + (status_.feedOverride.when == now ? 1 : 0);
   handsTurn_ = handsTurn_ || readSinceHand_ >= 2;
 }
@@ -211,7 +218,9 @@ MachineState LinuxCncLink::state(Instant now) noexcept {
   m.link.roundTrip = backend_->roundTrip().value > 0.0 ? backend_->roundTrip() : look_.typical();
   m.linkUp =
       watch_.standing() == EmcSession::ConnectionState::Ready && hal_.standing() == EmcSession::ConnectionState::Ready;
-  m.valid = m.linkUp && all && now - m.time <= kFresh && now - m.link.program <= kWordsFresh;
+  // On a connection that is new what was read on the one before tells nothing of where they stand.
+  const bool known = overrides_.speed.known() && overrides_.feed.known();
+  m.valid = m.linkUp && all && known && now - m.time <= kFresh && now - m.link.program <= kWordsFresh;
   if (!m.valid) return m;
   m.programRunning = s.machineOn.value && s.program.value != EmcProgram::Idle;
   m.feedHold = s.feedHold.value || s.program.value == EmcProgram::Paused;

@@ -17,6 +17,8 @@ constexpr Duration kLeaveIt = std::chrono::seconds(10);
 constexpr Duration kRefusedFor = std::chrono::milliseconds(500);
 // An answer that takes longer than this is missing, as far as the way home goes.
 constexpr Duration kNoAnswer = std::chrono::milliseconds(350);
+// On the way home an order that has not shown for so long is given again: acknowledged is not obeyed.
+constexpr Duration kGivenAgain = std::chrono::seconds(1);
 // Whether control is still ours is asked so often while commands are given.
 constexpr Duration kStandingEvery = std::chrono::milliseconds(500);
 
@@ -96,7 +98,12 @@ void RshBackend::turn(EmcOverrides& knobs, bool wanted, bool maySpeak, EmcStatus
     status.decimals = false;
     return;
   }
-  if (!wanted) lastWords(knobs, now);
+  if (!wanted) {
+    for (SharedOverride* knob : {&knobs.speed, &knobs.feed}) {
+      if (knob->unseen(now) > kGivenAgain) knob->refused();
+    }
+    lastWords(knobs, now);
+  }
   if (!answering && session_.idle()) next(knobs, wanted, now);  // after an answer it is the watch's turn
 }
 

@@ -36,6 +36,9 @@ class ModbusLink final : public CncLink {
   MachineState read(Instant now) noexcept override;
   void apply(const OverrideCommand& command, Instant now) noexcept override;
   void release(Instant now) noexcept override;
+  void adopt(std::optional<Ratio> speed, std::optional<Ratio> feed) noexcept override {
+    touched_ = touched_ || speed || feed;
+  }
   void close() noexcept override;
 
   static constexpr Duration kWait = std::chrono::milliseconds(2);

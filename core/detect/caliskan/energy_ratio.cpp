@@ -275,7 +275,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) {
   if (judge_.judge(channelStates_, lines_,
                    {phase, length, Hertz(rate_), spindle_, block.spindleSd, teeth_, highest_, steadyTurns_,
                     turnsCompare_, block.levelTrend, &chain_, &newLine_, block.speedChanging ? &marks_ : nullptr,
-                    &block.series, block.isolatedLine.value > 0.0}))
+                    &block.series, block.isolatedLine.value > 0.0, block.alarmWait}))
     relearn();
 }
 

@@ -51,6 +51,7 @@ struct RatioHop {
   const TurnMarks* marks = nullptr;    // while a machine tells a change; null: none
   const SeriesLook* series = nullptr;  // the lines of the cut
   bool isolatedLine = false;           // a line that cannot be forced holds most of the vibration
+  Seconds alarmWait{};                 // evidence must last so long (conditioned_block.h)
 };
 
 // Does it hear an integral of the spindle's torque?

@@ -14,6 +14,7 @@ constexpr double kLeft = 0.1;          // of the energy while the alarm lasted
 constexpr double kFalling = 0.8;       // what grows does not make the vibration fall; a tool that leaves does
 constexpr double kMostPassed = 0.25;   // difference over news of a line that needs the news to be heard in time
 constexpr double kLeastNews = 0.5;     // of what a line's news leaves of it in the difference
+constexpr double kGrowsOn = 0.3;       // of the time for which it must last: so long it may be missed
 constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its amplitude
 
 // A line within its first turn is in the difference as it is in the news, each by the part it passes then. What a speed
@@ -44,6 +45,7 @@ void RatioJudge::leaveCut() {
   joint_ = severity_ = worst_ = evidence_ = floor_ = changed_ = purity_ = 0.0;
   learned_ = wasFull_ = byShare_ = false;
   risingHops_ = {};
+  growsFor_ = notGrowing_ = 0.0;
   sinceOnset_ = feedSinceOnset_ = 0.0;
 }
 
@@ -175,8 +177,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
       entry_.endAlarm();
     }
   } else if (hop.phase == CutPhase::Steady &&
-             (share_.full() ||
-              (hop.revolutionsComparable && (entry || (hop.levelTrend > kFalling && grows(channels, lines, hop)))))) {
+             (share_.full() || (hop.revolutionsComparable && (entry || growsLongEnough(channels, lines, hop))))) {
     state_ = high || share_.full() ? CutState::Chatter : CutState::Onset;
     byShare_ = share_.full() && !entry && !grown_;
   } else {
@@ -235,6 +236,15 @@ bool RatioJudge::grows(std::span<const RatioChannel> channels, LineFinder& lines
     if (!channels[i].load.explains(*hop.newLine, static_cast<int>(i), order, hop.spindle)) return true;
   }
   return channels.empty();
+}
+
+// Growth may come and go from hop to hop; what glides through the spectrum does so for shorter (conditioned_block.h).
+bool RatioJudge::growsLongEnough(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) {
+  const bool now = hop.levelTrend > kFalling && grows(channels, lines, hop);
+  notGrowing_ = now ? 0.0 : notGrowing_ + hop.length.value;
+  const bool goesOn = now || (growsFor_ > 0.0 && notGrowing_ < kGrowsOn * hop.alarmWait.value);
+  growsFor_ = goesOn ? growsFor_ + hop.length.value : 0.0;
+  return now && growsFor_ >= hop.alarmWait.value;
 }
 
 void RatioJudge::follow(LineFinder& lines, const RatioHop& hop) {

@@ -20,7 +20,10 @@ class RatioJudge {
   // Forgets the cut and all that belongs to it. The channels' own floors are the caller's.
   void leaveCut();
   // What is followed through the signal begins anew, in the same cut.
-  void restart() { entry_.restart(); }
+  void restart() {
+    entry_.restart();
+    growsFor_ = notGrowing_ = 0.0;
+  }
   void setState(CutState state) { state_ = state; }
   void loseFloor() { calm_.loseFloor(); }
 
@@ -45,6 +48,7 @@ class RatioJudge {
   bool lineCounts(Hertz line, Hertz spindle) const;
   bool lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop);
   bool grows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop);
+  bool growsLongEnough(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop);
   bool lineIsNew(std::span<const RatioChannel> channels, Hertz line, Hertz spindle) const;
   void follow(LineFinder& lines, const RatioHop& hop);
 
@@ -77,6 +81,7 @@ class RatioJudge {
   bool forced_ = false;                             // most of the forced vibration is a resonance, in any channel
   bool rising_ = false;                             // ... so fast that no spectrum is waited for
   std::array<int, kMaxChannels> risingHops_{};      // on end, of each channel
+  double growsFor_ = 0.0, notGrowing_ = 0.0;        // s, before an alarm
   double onOrder_ = 0.0;   // where chatter on or near a spindle order stands, in orders; 0: none
   bool doubling_ = false;  // ... and it is period doubling
   double purity_ = 0.0;    // of the line that was looked at last

@@ -139,6 +139,7 @@ void SpectralDetector::analyse(const ConditionedBlock& block) {
     SpectralChannel& c = channels_[i];
     const Hertz before = c.line.frequency;
     look(c, static_cast<int>(i));
+    c.onset.setSpindle(block.spindle);
     if (settled) c.onset.update(c.line.part, turns, judge_.calm());
     const bool over = threshold_ > 0.0 ? c.line.amplitude > threshold_ : c.onset.alarm();
     const bool stands = std::abs(c.line.frequency.value - before.value) < kSameLine * block.spindle.value;

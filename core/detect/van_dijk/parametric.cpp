@@ -161,6 +161,7 @@ void ParametricDetector::tune(const ConditionedBlock& block) {
   const double mu = mu_ > 0.0 ? mu_ : std::min(1.0, active / (kMemoryTurns * turn));
   const double lambda = lambda_ > 0.0 ? lambda_ : 1.0 - kLeakLeaves * mu / active;
   recursions_.tune(active, mu, lambda);
+  for (ParametricChannel& c : channels_) c.onset.setSpindle(spindle_);
   tellOwn(active, mu, lambda);
 }
 

@@ -203,6 +203,7 @@ void CoherenceDetector::analyse(const ConditionedBlock& block) {
   transform();
   settledSeconds_ = AlarmStateMachine::steady(block) ? settledSeconds_ + seconds : 0.0;
   if (judge_.outdated(block)) onset_.reset();
+  onset_.setSpindle(block.spindle);
   const bool settled = settledSeconds_ * rate_ > static_cast<double>(ring_.window());
   const double changed = energy_ > 0.0 ? changedEnergy_ / energy_ : 0.0;
   if (settled) onset_.update(changed * changed, turns, judge_.calm());

@@ -38,7 +38,7 @@ STILLCUT_INLINE void inRegisters(const HarmonicRun& run, const Then& then) {
   }
 }
 
-// Two signals whose harmonics turn alike.
+// Two signals whose harmonics rotate alike.
 template <std::size_t kGroups>
 STILLCUT_INLINE void pairInRegisters(const HarmonicRun& first, const HarmonicRun& second) {
   const HarmonicRun* const runs[2] = {&first, &second};

@@ -22,7 +22,7 @@ constexpr std::size_t wholeLanes(std::size_t n) {
 
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
-// One signal through harmonics that turn with the spindle (Caliskan 2018 eq. 16-22 with a settled gain; van Dijk 2010
+// One signal through harmonics that rotate with the spindle (Caliskan 2018 eq. 16-22 with a settled gain; van Dijk 2010
 // eq. 19 with its leak in `turn`): rest = x - sum Re q; q = turn (q + gain rest).
 struct HarmonicRun {
   const double* x = nullptr;
@@ -47,8 +47,8 @@ struct CascadeRun {
   double* state[2] = {};               // two of each section
 };
 
-// The same harmonics with their whole covariance (Caliskan 2018 eq. 16-22, R = 1), which all channels share. In the
-// frame that turns with the spindle the states stand still and the regressors h = (cos, sin) turn.
+// The same harmonics with their whole covariance (Caliskan 2018 eq. 16-22, R = 1), the same for all channels. In the
+// frame that rotates with the spindle the states stand still and the regressors h = (cos, sin) turn.
 struct CovarianceRun {
   const double* x = nullptr;  // [channel * stride + frame]
   std::ptrdiff_t stride = 0;
@@ -125,7 +125,7 @@ struct ParametricRun {
   double* thetaSum = nullptr;  // 4, += theta of every frame
 };
 
-// What does not repeat from turn to turn of one signal, by fractional delays of kDelayTaps taps: with now = x(t),
+// What does not repeat with the revolution of one signal, by fractional delays of kDelayTaps taps: with now = x(t),
 // one = x(t - T), two = x(t - 2T), each read at or before the frame that its pointer names,
 //   difference = (now - 2 one + two) / sqrt(6), news = (now - (one + two) / 2) / sqrt(1.5).
 inline constexpr std::size_t kDelayTaps = 16;
@@ -266,7 +266,7 @@ struct Kernels {
   void (*turn)(double* re, double* im, const double* rotationRe, const double* rotationIm,
                std::size_t lanes) noexcept = nullptr;
   void (*harmonics)(const HarmonicRun&) noexcept = nullptr;
-  // The same for two signals whose harmonics turn alike, frame by frame side by side: neither waits for the other.
+  // The same for two signals whose harmonics rotate alike, frame by frame side by side: neither waits for the other.
   void (*harmonicPair)(const HarmonicRun&, const HarmonicRun&) noexcept = nullptr;
   void (*cascade)(const CascadeRun&) noexcept = nullptr;
   void (*covariance)(const CovarianceRun&) noexcept = nullptr;

@@ -38,8 +38,6 @@ class IsolatedProcess {
   Error died() const;
 
  private:
-  int spawn(const std::string& program, const std::string& inner, std::string options, int theirs);
-
   std::string path_;
   IsolatedProgram program_;
   int peer_ = -1;

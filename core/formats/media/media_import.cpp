@@ -1,7 +1,9 @@
 #include "core/formats/media/media_import.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "core/formats/media/media_track.h"
@@ -10,6 +12,7 @@ namespace stillcut::record {
 namespace {
 
 constexpr int kMostChannels = 64;
+constexpr double kSpare_s = 0.25;  // by which a container and its sound may differ
 
 class MediaReader final : public RecordingReader {
  public:
@@ -66,6 +69,12 @@ class MediaReader final : public RecordingReader {
   std::uint64_t sequence_ = 0;
 };
 
+std::string inSeconds(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", seconds);
+  return text.data();
+}
+
 // Length, rate and kind, by decoding all of it.
 Result<RecordingFormat> measure(const std::string& path, int& channels) {
   Result<std::unique_ptr<MediaTrack>> track = MediaTrack::open(path);
@@ -83,8 +92,11 @@ Result<RecordingFormat> measure(const std::string& path, int& channels) {
   if (format.frames <= 0 || channels < 1 || channels > kMostChannels || (*track)->rate() <= 0)
     return Error{path, message("no sample of its sound track can be decoded"), message("a damaged file")};
   if ((*track)->damaged()) {
-    format.notes.push_back(message("is damaged %1 s from its beginning: what is before is read",
-                                   std::to_string(static_cast<double>(format.frames) / format.rate.value)));
+    format.notes.push_back(
+        message("is damaged %1 s from its beginning: what is before is read", inSeconds(format.length().value)));
+  } else if ((*track)->promised() > format.length().value + kSpare_s) {
+    format.notes.push_back(message("ends after %1 of %2 s: what is there is read", inSeconds(format.length().value),
+                                   inSeconds((*track)->promised())));
   }
   if ((*track)->tracks() > 1)
     format.notes.push_back(message("holds %1 sound tracks, of which one is read", (*track)->tracks()));

@@ -12,6 +12,8 @@ namespace stillcut::record {
 namespace {
 
 Message whyNot(int code) {
+  if (code == AVERROR_INVALIDDATA || code == AVERROR_EOF)
+    return message("damaged, or cut off: what records into it writes its index when it ends");
   std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
   av_strerror(code, text.data(), text.size());
   return foreign(text.data());
@@ -126,6 +128,13 @@ float MediaTrack::sample(int channel, int frame) const {
     default:
       return 0.0F;
   }
+}
+
+double MediaTrack::promised() const {
+  const AVStream* stream = file_->streams[track_];
+  const bool guessed = file_->duration_estimation_method == AVFMT_DURATION_FROM_BITRATE;
+  if (guessed || stream->duration == AV_NOPTS_VALUE || stream->duration <= 0) return 0.0;
+  return static_cast<double>(stream->duration) * av_q2d(stream->time_base);
 }
 
 std::string MediaTrack::kind() const {

@@ -32,6 +32,7 @@ class MediaTrack {
   int channels() const { return channels_; }
   int rate() const { return rate_; }         // [Hz]; known after the first piece
   int tracks() const { return tracks_; }     // of sound
+  double promised() const;                   // [s] that the container says it lasts; 0: it does not
   bool damaged() const { return damaged_; }  // it ended before its end
 
  private:

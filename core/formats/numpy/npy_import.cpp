@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/formats/numpy/zip_listing.h"
 #include "core/formats/variable_channels.h"
+#include "core/formats/zip_listing.h"
 
 namespace stillcut::record {
 namespace {

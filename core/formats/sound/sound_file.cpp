@@ -52,8 +52,10 @@ int plainFormat(const RiffHeader& header) {
   }
 }
 
+// Of a stream too: libsndfile reads none in RF64.
 bool isUntold(const RiffHeader& header) {
-  return header.sizes == RiffHeader::Sizes::Unfinished || header.sizes == RiffHeader::Sizes::Wrapped;
+  return header.sizes == RiffHeader::Sizes::Unfinished || header.sizes == RiffHeader::Sizes::Wrapped ||
+         header.sizes == RiffHeader::Sizes::Unknown;
 }
 
 }  // namespace

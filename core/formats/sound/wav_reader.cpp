@@ -8,7 +8,10 @@
 #include "core/formats/channel_notes.h"
 #include "core/formats/sound/riff_header.h"
 #include "core/formats/sound/sound_file.h"
+#include "core/formats/sound/sound_length.h"
+#include "core/formats/sound/wav_clock.h"
 #include "core/formats/sound/wav_reader.h"
+#include "core/formats/wall_clock.h"
 
 namespace stillcut::record {
 namespace {
@@ -61,8 +64,10 @@ class WavReader final : public RecordingReader {
     for (std::size_t c = 0; c < picked_.size(); ++c) {
       const float value = from[picked_[c]];
       if (!std::isfinite(value)) {
-        return Error{path_, message("frame %1 of channel %2 is not a finite number",
-                                    std::to_string(framesRead_ + block.frames), std::to_string(picked_[c]))};
+        return Error{path_,
+                     message("frame %1 of channel %2 is not a finite number",
+                             std::to_string(framesRead_ + block.frames), std::to_string(picked_[c])),
+                     message("write 0 in its place, or read the other channels with --channel N")};
       }
       block.samples[c * static_cast<std::size_t>(block.capacityFrames) + static_cast<std::size_t>(block.frames)] =
           value;
@@ -81,6 +86,18 @@ class WavReader final : public RecordingReader {
   std::uint64_t sequence_ = 0;
 };
 
+// libsndfile's own words name its functions and guess at pipes.
+Message whyNot(int error) {
+  switch (error) {
+    case SF_ERR_UNRECOGNISED_FORMAT:
+      return message("nothing in it is known as sound");
+    case SF_ERR_UNSUPPORTED_ENCODING:
+      return message("its coding is not known; convert it to WAV: ffmpeg -i FILE cut.wav");
+    default:
+      return message("its header is damaged, or its coding is not known");
+  }
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const ReadOptions& options) {
@@ -89,7 +106,7 @@ Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const 
   auto file = std::make_unique<SoundFile>(path, *header ? &**header : nullptr);
   const SF_INFO& info = file->info();
   if (file->handle() == nullptr)
-    return Error{path, message("is no sound file that can be read"), foreign(sf_strerror(nullptr))};
+    return Error{path, message("is no sound file that can be read"), whyNot(sf_error(nullptr))};
   if (info.frames <= 0) return Error{path, message("holds no samples")};
   if (info.channels < 1 || info.channels > kMostChannels || info.samplerate <= 0) {
     return Error{path,
@@ -102,9 +119,15 @@ Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const 
   major.format = info.format & SF_FORMAT_TYPEMASK;
   if (sf_command(nullptr, SFC_GET_FORMAT_INFO, &major, sizeof major) == 0) format.kind = major.name;
   format.rate = Hertz(info.samplerate);
-  format.frames = info.frames;
+  const SoundLength length = lengthOf(path, *file, *header ? &**header : nullptr);
+  if (length.frames <= 0) return Error{path, message("no sample of it can be decoded"), message("a damaged file")};
+  format.frames = length.frames;
+  if (length.note) format.notes.push_back(*length.note);
   if (*header) {
     if (const std::optional<Message> note = noteOfSizes(**header)) format.notes.push_back(*note);
+    format.started_ns = wavStarted(path, **header).value_or(0);
+  } else if (const char* date = sf_get_string(file->handle(), SF_STR_DATE)) {
+    format.started_ns = wallTime(date).value_or(0);
   }
   std::vector<RecordedChannel> all;
   std::vector<int> picked = options.channels;

@@ -4,37 +4,43 @@
 #include <array>
 #include <cctype>
 
-#include "core/formats/text/time_stamps.h"
+#include "core/formats/time_stamps.h"
+#include "core/units/unit_names.h"
 
 namespace stillcut::record {
 namespace {
 
 using Cells = std::vector<std::string_view>;
 
-// At least one number, and nothing that is neither a number nor a time stamp nor empty.
-bool isDataLine(const Cells& cells, bool decimalComma) {
-  int numbers = 0;
+// At least one number, and nothing that is neither a number nor a time stamp nor empty. With a column of labels: at
+// least two numbers, and one word.
+bool isDataLine(const Cells& cells, bool decimalComma, bool label) {
+  int numbers = 0, words = 0;
   for (const std::string_view cell : cells) {
     if (cell.empty()) continue;
     if (parseNumber(cell, decimalComma)) {
       ++numbers;
     } else if (!parseTimeStamp(cell)) {
-      return false;
+      const auto first = static_cast<unsigned char>(cell.front());
+      if (std::isalpha(first) == 0 && first < 0x80) return false;  // "0,12" beside points is no label
+      ++words;
     }
   }
-  return numbers > 0;
+  return label ? numbers >= 2 && words == 1 : numbers > 0 && words == 0;
 }
 
 // Numbers begin where three lines in a row (or all that are left) are data lines with the same number of cells. The
 // last cell may be missing from later lines: LabVIEW puts a comment on the first.
-DataRows findRows(std::span<const std::string> lines, bool complete, CellFormat format) {
-  DataRows c{.format = format};
+DataRows findRows(std::span<const std::string> lines, bool complete, CellFormat format, bool label) {
+  constexpr std::size_t kFew = 3, kManyOfLabels = 8;  // lines in a row that are rows of a table and no header
+  const std::size_t enough = label ? kManyOfLabels : kFew;
+  DataRows c{.format = format, .words = label};
   Cells cells;
   std::size_t run = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (isSkippedLine(lines[i])) continue;
     splitCells(lines[i], format.delimiter, cells);
-    if (!isDataLine(cells, format.decimalComma)) {
+    if (!isDataLine(cells, format.decimalComma, label)) {
       run = 0;
       continue;
     }
@@ -42,12 +48,12 @@ DataRows findRows(std::span<const std::string> lines, bool complete, CellFormat 
       c.first = c.clean = i;
       c.cells = cells.size();
       run = 1;
-    } else if (++run == 3) {
+    } else if (++run == enough) {
       c.found = true;
       return c;
     }
   }
-  c.found = run >= 2 && complete;
+  c.found = !label && run >= 2 && complete;
   return c;
 }
 
@@ -102,9 +108,17 @@ std::string unclearComma(std::span<const std::string> lines, const DataRows& row
   return clear ? "" : unclear;
 }
 
-}  // namespace
+// A comment that LabVIEW has written behind the first row.
+void takeCommentedRow(std::span<const std::string> lines, DataRows& rows) {
+  if (rows.first == 0 || !trimmed(lines[0]).starts_with("LabVIEW Measurement")) return;
+  Cells cells;
+  splitCells(lines[rows.first - 1], rows.format.delimiter, cells);
+  if (cells.size() != rows.cells + 1) return;
+  cells.pop_back();
+  if (isDataLine(cells, rows.format.decimalComma, false)) --rows.first;
+}
 
-DataRows findDataRows(std::span<const std::string> lines, bool complete) {
+DataRows findDataRowsOf(std::span<const std::string> lines, bool complete, bool label) {
   constexpr auto kFormats = std::to_array<CellFormat>({{'\t', false},
                                                        {';', false},
                                                        {'|', false},
@@ -118,11 +132,40 @@ DataRows findDataRows(std::span<const std::string> lines, bool complete) {
   DataRows best;
   for (const CellFormat format : kFormats) {
     if (format.delimiter == ' ' && best.found && best.cells > 1) break;  // blanks stand beside other delimiters
-    const DataRows c = findRows(lines, complete, format);
+    const DataRows c = findRows(lines, complete, format, label);
     if (c.found && (!best.found || c.cells > best.cells)) best = c;
   }
-  if (best.found) takeRowsBesideTheHeader(lines, best);
   return best;
+}
+
+}  // namespace
+
+DataRows findDataRows(std::span<const std::string> lines, bool complete) {
+  DataRows best = findDataRowsOf(lines, complete, false);
+  if (!best.found) best = findDataRowsOf(lines, complete, true);
+  if (best.found) takeRowsBesideTheHeader(lines, best);
+  if (best.found) takeCommentedRow(lines, best);
+  return best;
+}
+
+std::string unclearPoint(std::span<const std::string> lines) {
+  constexpr int kFew = 3;
+  Cells cells;
+  for (const char delimiter : {';', '\t', '|'}) {
+    int rows = 0;
+    std::string unclear;
+    for (const std::string& line : lines) {
+      splitCells(line, delimiter, cells);
+      const auto point = std::find_if(cells.begin(), cells.end(), [](std::string_view c) { return isGrouped(c, '.'); });
+      const bool numbers = std::all_of(cells.begin(), cells.end(), [](std::string_view c) {
+        return c.empty() || isGrouped(c, '.') || parseNumber(c, true).has_value();
+      });
+      if (!numbers || point == cells.end()) continue;
+      if (++rows == 1) unclear = *point;
+    }
+    if (rows >= kFew) return unclear;
+  }
+  return {};
 }
 
 Status checkUnclearNumbers(std::span<const std::string> lines, const DataRows& rows, const std::string& where) {

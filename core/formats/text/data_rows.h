@@ -18,6 +18,7 @@ struct DataRows {
   std::size_t first = 0;  // index into the lines
   std::size_t clean = 0;  // the first with nothing of a header beside it
   std::size_t cells = 0;  // of a row
+  bool words = false;     // one of them holds a word in every row
   bool found = false;
 };
 
@@ -26,6 +27,10 @@ DataRows findDataRows(std::span<const std::string> lines, bool complete);
 
 // Error: the numbers could be read in two ways ("1,234" everywhere), so nobody may choose one. `where` names the file.
 Status checkUnclearNumbers(std::span<const std::string> lines, const DataRows& rows, const std::string& where);
+
+// Where no rows were found: a cell as "1.234" beside decimal commas, which may be thousands or decimals; empty: that is
+// not why.
+std::string unclearPoint(std::span<const std::string> lines);
 
 // Every line from `rows.clean` on that can be a row: visit(cells).
 template <class Visit>

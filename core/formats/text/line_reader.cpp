@@ -1,6 +1,5 @@
 #include "core/formats/text/line_reader.h"
 
-#include <cerrno>
 #include <cstring>
 #include <utility>
 
@@ -9,8 +8,9 @@ namespace stillcut::record {
 LineReader::LineReader(std::string path) : path_(std::move(path)), buffer_(4 * kLongestLine) {}
 
 Status LineReader::open() {
-  file_.open(path_, std::ios::binary);
-  if (!file_) return Error{path_, message("cannot be opened"), foreign(std::strerror(errno))};
+  auto bytes = openText(path_);
+  if (!bytes) return bytes.error();
+  bytes_ = std::move(bytes).value();
   return Done{};
 }
 
@@ -18,10 +18,12 @@ Status LineReader::refill() {
   std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
-  file_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
-  if (file_.bad()) return Error{path_, message("cannot be read"), message("input/output error")};
-  end_ += static_cast<std::size_t>(file_.gcount());
-  atEnd_ = file_.eof();
+  while (end_ < buffer_.size() && !atEnd_) {
+    const auto got = bytes_->read(buffer_.data() + end_, buffer_.size() - end_);
+    if (!got) return got.error();
+    end_ += *got;
+    atEnd_ = *got == 0;
+  }
   return Done{};
 }
 
@@ -42,9 +44,6 @@ Result<bool> LineReader::next(std::string_view& line) {
   if (length > kLongestLine)
     return Error{where(), message("the line is too long"), message("this is no text recording")};
   const std::string_view raw(start, length);
-  if (number_ == 1 && (raw.starts_with("\xFF\xFE") || raw.starts_with("\xFE\xFF"))) {
-    return Error{path_, message("is text in UTF-16"), message("save it as UTF-8")};
-  }
   if (std::memchr(start, '\0', length) != nullptr) return Error{where(), message("holds bytes that are no text")};
   line = raw;
   if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);

@@ -3,12 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/formats/text/text_bytes.h"
 
 namespace stillcut::record {
 
@@ -31,7 +32,7 @@ class LineReader {
   Status refill();
 
   std::string path_;
-  std::ifstream file_;
+  std::unique_ptr<TextBytes> bytes_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;  // unread part of buffer_
   std::size_t end_ = 0;

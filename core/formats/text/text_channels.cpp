@@ -28,7 +28,7 @@ bool isSpeed(const TextColumn& column) {
 
 // Everything but the question of spindle speed.
 bool isSignal(const TextColumn& column, bool unitsGiven) {
-  if (column.stamps || column.rowNumber) return false;
+  if (column.stamps || column.words || column.rowNumber) return false;
   const NameMeaning meaning = meaningOfName(column.name);
   if (meaning == NameMeaning::NoSignal || (meaning == NameMeaning::Time && column.unit.empty())) return false;
   if (unitsGiven && column.unit.empty()) return false;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/formats/text/time_stamps.h"
+#include "core/formats/time_stamps.h"
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
@@ -122,6 +122,23 @@ bool allWhole(std::span<const std::string> lines, std::size_t firstData, const T
   return true;
 }
 
+// "index,x,y" without the word: pandas writes the number of the row under an empty name.
+bool isUnnamedRowNumber(std::span<const std::string> lines, std::size_t firstData, const Header& header,
+                        const TextLayout& layout) {
+  if (header.names.size() != layout.columns.size() || !header.names.front().empty()) return false;
+  Cells cells;
+  std::optional<double> before;
+  for (std::size_t i = firstData; i < lines.size(); ++i) {
+    if (isSkippedLine(lines[i])) continue;
+    splitCells(lines[i], layout.cells.delimiter, cells);
+    if (cells.size() != layout.columns.size()) continue;
+    const std::optional<double> number = parseNumber(cells.front(), layout.cells.decimalComma);
+    if (!number || (before && *number - *before != 1.0)) return false;
+    before = number;
+  }
+  return before.has_value();
+}
+
 // Names would stand over the wrong numbers. LabVIEW's column of comments is one that most rows leave out.
 Status checkCount(std::span<const std::string> lines, std::size_t firstData, const Header& header,
                   const TextLayout& layout, const std::string& where) {
@@ -148,7 +165,11 @@ Status readTextHeader(std::span<const std::string> lines, std::size_t firstData,
                       const std::string& where) {
   const std::optional<Header> header = findHeader(lines, firstData, layout);
   if (!header) return Done{};
-  if (const Status s = checkCount(lines, firstData, *header, layout, where); !s) return s.error();
+  if (isUnnamedRowNumber(lines, firstData, *header, layout)) {
+    layout.columns.front().rowNumber = true;
+  } else if (const Status s = checkCount(lines, firstData, *header, layout, where); !s) {
+    return s.error();
+  }
   if (header->names.size() < static_cast<std::size_t>(layout.minCells)) return Done{};
   for (std::size_t i = 0; i < std::min(layout.columns.size(), header->names.size()); ++i) {
     TextColumn& column = layout.columns[i];

@@ -17,32 +17,55 @@ using Cells = std::vector<std::string_view>;
 constexpr std::size_t kBesideRows = 32;  // lines below the first row in which a header may stand beside the numbers
 constexpr double kSameRate = 1e-6;       // of each other: one rate, printed twice
 
+// As many labels as there are signals are theirs in order; else each stands over its column, behind that of the times.
+void takeUnitLabels(const Cells& cells, TextLayout& layout) {
+  std::vector<std::size_t> signals, labels;
+  for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+    const TextColumn& column = layout.columns[k];
+    if (!column.empty && column.name != "X_Value" && column.name != "Comment") signals.push_back(k);
+  }
+  for (std::size_t k = 1; k < cells.size(); ++k) {
+    if (!cells[k].empty()) labels.push_back(k);
+  }
+  const bool inOrder = labels.size() == signals.size();
+  const std::size_t shift = !layout.columns.empty() && layout.columns[0].name == "X_Value" ? 1 : 0;
+  for (std::size_t n = 0; n < labels.size(); ++n) {
+    const std::size_t column = inOrder ? signals[n] : labels[n] - 1 + shift;
+    if (column < layout.columns.size()) layout.columns[column].unit = std::string(cells[labels[n]]);
+  }
+}
+
+// One step of all channels.
+Status takeSteps(const Cells& cells, TextLayout& layout, const std::string& where) {
+  double first = 0.0;
+  for (std::size_t k = 1; k < cells.size(); ++k) {
+    if (cells[k].empty()) continue;
+    const std::optional<double> step = parseNumber(cells[k], layout.cells.decimalComma);
+    if (!step || !(*step > 0.0) || !std::isfinite(*step)) {
+      return Error{where, message("Delta_X holds '%1'", cells[k]), message("a time step above zero was expected")};
+    }
+    if (first > 0.0 && std::abs(*step - first) > kSameRate * first) {
+      return Error{where, message("its channels have several rates"),
+                   message("export those of each rate as a file of their own")};
+    }
+    first = *step;
+  }
+  if (first > 0.0) layout.rateFromHeader = Hertz(1.0 / first);
+  return Done{};
+}
+
 // Key, then one value per channel, up to the numbers.
 Status readLabViewHeader(std::span<const std::string> lines, std::size_t firstData, TextLayout& layout,
                          const std::string& where) {
   layout.kind = "LabVIEW measurement text";
-  const std::size_t shift = !layout.columns.empty() && layout.columns[0].name == "X_Value" ? 1 : 0;
   Cells cells;
   for (std::size_t i = 0; i < firstData; ++i) {
     splitCells(lines[i], layout.cells.delimiter, cells);
     if (cells.size() < 2) continue;
     const std::string lineWhere = where + ":" + std::to_string(i + 1);
-    if (cells[0] == "X_Columns" && cells[1] == "Multi") {
-      return Error{lineWhere, message("every channel has a time column of its own"),
-                   message("export with one X column")};
-    }
-    if (cells[0] == "Y_Unit_Label") {
-      for (std::size_t k = 1; k < cells.size() && k - 1 + shift < layout.columns.size(); ++k) {
-        if (!cells[k].empty()) layout.columns[k - 1 + shift].unit = std::string(cells[k]);
-      }
-    }
+    if (cells[0] == "Y_Unit_Label") takeUnitLabels(cells, layout);
     if (cells[0] == "Delta_X") {
-      const std::optional<double> step = parseNumber(cells[1], layout.cells.decimalComma);
-      if (!step || !(*step > 0.0) || !std::isfinite(*step)) {
-        return Error{lineWhere, message("Delta_X holds '%1'", cells[1]),
-                     message("a time step above zero was expected")};
-      }
-      layout.rateFromHeader = Hertz(1.0 / *step);
+      if (const Status s = takeSteps(cells, layout, lineWhere); !s) return s.error();
     }
   }
   return Done{};
@@ -72,6 +95,10 @@ Result<TextLayout> detectTextLayout(std::span<const std::string> lines, bool com
   if (lines.empty()) return Error{where, message("the file is empty")};
   const DataRows data = findDataRows(lines, complete);
   if (!data.found) {
+    if (const std::string cell = unclearPoint(lines); !cell.empty()) {
+      return Error{where, message("it is not clear whether '%1' has a decimal point or thousands set apart", cell),
+                   message("export with decimal points and without signs between thousands")};
+    }
     return Error{where, message("no rows of numbers found in its first %1 lines", std::to_string(lines.size())),
                  message("is this a recording?")};
   }

@@ -21,7 +21,8 @@ struct TextColumn {
   bool empty = false;      // no cell of it holds anything
   bool stamps = false;     // holds dates or times of day
   bool clock = false;      // of them, times of day
-  bool rowNumber = false;  // without a name, counts the rows
+  bool words = false;      // holds words in every row, as labels are
+  bool rowNumber = false;  // counts the rows
 };
 
 struct TextLayout {
@@ -36,6 +37,8 @@ struct TextLayout {
   double secondsPerTime = 1.0;          // unit of the time column
   bool timeUnitAssumed = false;         // nothing says that its numbers are seconds
   std::string unknownTimeUnit;          // as the file spells it; empty: none, or known
+  std::string otherTime;                // a column of times in other steps than the time column; empty: none
+  bool days = false;                    // times without a unit that look like days, as spreadsheets count them
   std::optional<Hertz> rateFromHeader;  // where the header declares it, and never in two ways
 };
 

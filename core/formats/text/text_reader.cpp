@@ -66,7 +66,14 @@ std::string shortNumber(double value) {
 TextReader::TextReader(std::string path, TextLayout layout, TextChannels channels)
     : path_(std::move(path)), layout_(std::move(layout)), channels_(std::move(channels)) {}
 
-Result<std::unique_ptr<RecordingReader>> TextReader::open(const std::string& path, const ReadOptions& options) {
+bool TextReader::holdsTable(const std::string& path) {
+  bool complete = false;
+  const Result<std::vector<std::string>> lines = firstLines(path, complete);
+  return lines && detectTextLayout(lines.value(), complete, path).ok();
+}
+
+Result<std::unique_ptr<RecordingReader>> TextReader::open(const std::string& path, const ReadOptions& options,
+                                                          std::vector<Message> notes) {
   bool complete = false;
   const Result<std::vector<std::string>> lines = firstLines(path, complete);
   if (!lines) return lines.error();
@@ -76,6 +83,7 @@ Result<std::unique_ptr<RecordingReader>> TextReader::open(const std::string& pat
   Result<TextChannels> channels = chooseTextChannels(*layout, options, path);
   if (!channels) return channels.error();
   std::unique_ptr<TextReader> reader(new TextReader(path, std::move(*layout), std::move(*channels)));
+  reader->format_.notes = std::move(notes);
   if (const Status s = reader->scan(options); !s) return s.error();
   return std::unique_ptr<RecordingReader>(std::move(reader));
 }
@@ -89,6 +97,7 @@ Status TextReader::scan(const ReadOptions& options) {
   }
   if (const Status s = checkBadRows(); !s) return s.error();
   format_.frames = rows_->counts().rows;
+  format_.started_ns = rows_->startedNs().value_or(0);
   format_.kind = layout_.kind;
   format_.channels = channels_.channels;
   format_.skipped = channels_.skipped;
@@ -106,22 +115,32 @@ Status TextReader::checkTime(const ReadOptions& options) {
     return Error{path_, message("the unit '%1' of its time is not known", layout_.unknownTimeUnit),
                  message("write s, ms, us or ns, or give --rate HZ")};
   }
+  if (timed_ && layout_.days) {
+    return Error{path_, message("its time seems to be in days, as spreadsheets count them"),
+                 message("format it as a time of day and export again, or give --rate HZ")};
+  }
+  if (timed_ && !layout_.otherTime.empty()) {
+    return Error{path_, message("its columns have times of their own: '%1' goes in other steps", layout_.otherTime),
+                 message("export each with its channels as a file of its own, or give --rate HZ")};
+  }
   return Done{};
 }
 
+// By the times alone, whatever the channels hold.
 Status TextReader::findStep() {
-  if (const Status s = rows_->rewind(); !s) return s.error();
+  TextRows times(path_, layout_, {}, timed_);
+  if (const Status s = times.rewind(); !s) return s.error();
   std::vector<double> steps;
   double before = 0.0;
   for (std::size_t n = 0; n <= kStepSample; ++n) {
-    const Result<bool> more = rows_->next();
+    const Result<bool> more = times.next();
     if (!more) return more.error();
     if (!*more) break;
-    if (n > 0) steps.push_back(rows_->row().time - before);
-    before = rows_->row().time;
+    if (n > 0) steps.push_back(times.row().time - before);
+    before = times.row().time;
   }
   if (steps.empty()) {
-    if (rows_->counts().firstBad) return *rows_->counts().firstBad;
+    if (times.counts().firstBad) return *times.counts().firstBad;
     return Error{path_, message("one row of numbers is no recording")};
   }
   step_ = median(std::move(steps));

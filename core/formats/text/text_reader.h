@@ -15,7 +15,11 @@ namespace stillcut::record {
 
 class TextReader final : public RecordingReader {
  public:
-  static Result<std::unique_ptr<RecordingReader>> open(const std::string& path, const ReadOptions& options);
+  // A table of text; of a spreadsheet "FILE:/SHEET" is one of its sheets. `notes` are told with those of the file.
+  static Result<std::unique_ptr<RecordingReader>> open(const std::string& path, const ReadOptions& options,
+                                                       std::vector<Message> notes = {});
+  // Whether it has rows of numbers, by its first lines.
+  static bool holdsTable(const std::string& path);
 
   const RecordingFormat& format() const override { return format_; }
   Result<bool> read(SampleBlock& block) override;

@@ -50,22 +50,46 @@ Status TextRows::rewind() {
   counts_.filledTo.assign(columns_.size(), 0);
   badSince_ = goodTo_ = odd_ = oddLine_ = 0;
   firstOdd_.reset();
-  oddCount_ = oddNumbers_ = false;
+  oddCount_ = oddNumbers_ = segment_ = false;
   oddRates_.clear();
   return Done{};
 }
 
-// The next line with something in it; comments between the rows are passed over where times tell what is missing.
+// The next line with something in it; comments between the rows are passed over where times tell what is missing, and
+// so is the header that LabVIEW writes above each further segment.
 Result<bool> TextRows::nextLine(std::string_view& line) {
-  do {
+  while (true) {
     const Result<bool> more = lines_->next(line);
     if (!more || !*more) return more;
-  } while (isSkippedLine(line) || (timed_ && line.starts_with('#')));
-  if (line.starts_with("***End_of_Header***") || line.starts_with("Channels\t")) {
-    return Error{lines_->where(), message("a second segment of the measurement begins"),
-                 message("save each segment as a file of its own")};
+    if (isSkippedLine(line) || (timed_ && line.starts_with('#'))) continue;
+    if (line.starts_with("***End_of_Header***")) return anotherSegment();
+    const bool header = line.starts_with("Channels") && line.size() > 8 && line[8] == layout_.cells.delimiter;
+    if (!header) return true;
+    if (const Status s = passSegmentHeader(line); !s) return s.error();
   }
-  return true;
+}
+
+Error TextRows::anotherSegment() const {
+  return {lines_->where(), message("a second segment of the measurement begins"),
+          message("save each segment as a file of its own")};
+}
+
+// Up to the names of its columns, which are those of the first segment where it has as many channels. Without times
+// nobody can tell how much is missing between two segments.
+Status TextRows::passSegmentHeader(std::string_view& line) {
+  splitCells(line, layout_.cells.delimiter, cells_);
+  const auto channels = static_cast<std::size_t>(
+      std::count_if(layout_.columns.begin(), layout_.columns.end(), [](const TextColumn& c) { return !c.empty; }) - 1);
+  if (!timed_ || cells_.size() < 2 || cells_[1] != std::to_string(channels)) return anotherSegment();
+  segment_ = true;
+  constexpr int kLongestHeader = 100;  // lines
+  for (int i = 0; i < kLongestHeader; ++i) {
+    const bool end = line.starts_with("***End_of_Header***");
+    const Result<bool> more = lines_->next(line);
+    if (!more) return more.error();
+    if (!*more || end) return Done{};
+  }
+  return anotherSegment();
 }
 
 Result<bool> TextRows::next() {
@@ -99,6 +123,7 @@ Result<bool> TextRows::next() {
     }
     if (counts_.rows == 0) row_.lost = 0;  // nothing is missing before the first
     badSince_ = 0;
+    segment_ = false;
     ++counts_.rows;
     goodTo_ = counts_.all();
     return true;
@@ -217,6 +242,7 @@ Status TextRows::settleEnd() {
 }
 
 Result<std::int64_t> TextRows::missingBetween(double before, double after) const {
+  if (segment_ && !(after > before)) return anotherSegment();
   if (!(after > before)) {
     return Error{lines_->where(), after < before ? message("the time runs backwards") : message("the time repeats"),
                  evenly()};

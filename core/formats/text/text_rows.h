@@ -52,11 +52,15 @@ class TextRows {
   // Nothing is read behind so many rows, bad ones included.
   void setEnd(std::int64_t rows) { end_ = rows; }
   std::string where() const { return lines_->where(); }
+  // See TimeCells; once a row was read.
+  std::optional<std::int64_t> startedNs() const { return times_ ? times_->startedNs() : std::nullopt; }
 
  private:
   enum class Kind { Good, Bad, Odd };
 
   Result<bool> nextLine(std::string_view& line);
+  Status passSegmentHeader(std::string_view& line);
+  Error anotherSegment() const;
   Kind parse();
   bool takeNumbers();
   bool holdsNumber() const;
@@ -82,6 +86,7 @@ class TextRows {
   TextRowCounts counts_;
   std::int64_t goodTo_ = 0;    // all rows up to the last good one
   std::int64_t badSince_ = 0;  // rows, since the last good one
+  bool segment_ = false;       // a header of LabVIEW has passed since the last good row
   // Lines that may be a footer, until a row follows.
   std::int64_t odd_ = 0;
   std::optional<Error> firstOdd_;

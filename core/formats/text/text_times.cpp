@@ -6,7 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/formats/text/time_stamps.h"
+#include "core/formats/time_stamps.h"
+#include "core/formats/wall_clock.h"
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
@@ -73,6 +74,31 @@ bool countsRows(const std::vector<double>& numbers) {
          numbers.end();
 }
 
+// A column without a unit that counts 0, 1, 2 all the way is the number of the row, whatever its name.
+void findRowNumbers(std::span<const std::string> lines, const DataRows& rows, TextLayout& layout) {
+  constexpr std::size_t kFewest = 50;
+  for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+    TextColumn& column = layout.columns[k];
+    if (column.empty || column.stamps || column.words || !column.unit.empty() ||
+        static_cast<int>(k) == layout.timeColumn)
+      continue;
+    const std::vector<double> numbers = numbersOf(lines, rows, k);
+    column.rowNumber = column.rowNumber || (numbers.size() >= kFewest && countsRows(numbers));
+  }
+}
+
+// Columns of labels: what more than half of their cells say.
+void findWords(std::span<const std::string> lines, const DataRows& rows, TextLayout& layout) {
+  if (!rows.words) return;
+  for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+    const std::vector<std::string> cells = cellsOf(lines, rows, k);
+    const auto words = std::count_if(cells.begin(), cells.end(), [&rows](const std::string& cell) {
+      return !parseNumber(cell, rows.format.decimalComma) && !parseTimeStamp(cell);
+    });
+    layout.columns[k].words = 2 * words > static_cast<std::ptrdiff_t>(cells.size());
+  }
+}
+
 // Without a header: the first column with something in it, where it grows in even steps as only time does. One that
 // counts 0, 1, 2 is the number of the row.
 void findUnnamed(std::span<const std::string> lines, const DataRows& rows, TextLayout& layout) {
@@ -88,14 +114,23 @@ void findUnnamed(std::span<const std::string> lines, const DataRows& rows, TextL
   if (!first->rowNumber) layout.timeColumn = static_cast<int>(index);
 }
 
+constexpr double kEpochFrom = 631'152'000.0, kEpochTo = 4'102'444'800.0;  // [s] since 1970: 1990 to 2100
+
 // Seconds per unit of a number that lies between 1990 and 2100 in exactly one unit since 1970: these ranges do not
 // overlap.
 std::optional<double> epochUnit(double first) {
-  constexpr double kFrom = 631'152'000.0, kTo = 4'102'444'800.0;
   for (const double unit : {1.0, 1e-3, 1e-6, 1e-9}) {
-    if (first * unit >= kFrom && first * unit < kTo) return unit;
+    if (first * unit >= kEpochFrom && first * unit < kEpochTo) return unit;
   }
   return std::nullopt;
+}
+
+// 1990 to 2100 in days since 1900, in steps far below a second.
+bool looksLikeDays(const std::vector<double>& numbers) {
+  constexpr double kFrom = 32'874.0, kTo = 73'051.0, kSecond = 1.0 / 86'400.0;
+  const double step =
+      (numbers.back() - numbers.front()) / static_cast<double>(std::max<std::size_t>(numbers.size(), 2) - 1);
+  return numbers.front() >= kFrom && numbers.front() < kTo && step > 0.0 && step < kSecond;
 }
 
 void settleUnit(std::span<const std::string> lines, const DataRows& rows, TextLayout& layout) {
@@ -110,9 +145,41 @@ void settleUnit(std::span<const std::string> lines, const DataRows& rows, TextLa
   layout.timeUnitAssumed = true;
   const std::vector<double> numbers = numbersOf(lines, rows, index);
   if (numbers.empty()) return;
+  layout.days = looksLikeDays(numbers);
   if (const auto epoch = epochUnit(numbers.front())) {
     layout.secondsPerTime = *epoch;
     layout.timeUnitAssumed = false;
+  }
+}
+
+// Seconds per unit of a column of times; empty: nothing tells.
+std::optional<double> unitOfTime(const TextColumn& column, const std::vector<double>& numbers,
+                                 const TextLayout& layout) {
+  const std::optional<UnitMeaning> unit = unitFromText(column.unit);
+  if (unit && unit->kind == UnitKind::Time) return unit->toSi;
+  if (const auto epoch = epochUnit(numbers.front())) return epoch;
+  return layout.timeUnitAssumed ? std::optional(layout.secondsPerTime) : std::nullopt;
+}
+
+// Two clocks in one table, each over its own columns: the samples of one of them are not those of the other's moments.
+void findOtherTime(std::span<const std::string> lines, const DataRows& rows, TextLayout& layout) {
+  if (layout.timeStamps) return;
+  const auto stepOf = [&](std::size_t k) {
+    const std::vector<double> numbers = numbersOf(lines, rows, k);
+    if (!growsEvenly(numbers)) return 0.0;
+    const bool main = static_cast<int>(k) == layout.timeColumn;
+    const std::optional<double> unit = main ? layout.secondsPerTime : unitOfTime(layout.columns[k], numbers, layout);
+    return unit.value_or(0.0) * (numbers.back() - numbers.front()) / static_cast<double>(numbers.size() - 1);
+  };
+  const double step = stepOf(static_cast<std::size_t>(layout.timeColumn));
+  if (!(step > 0.0)) return;
+  for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+    const TextColumn& column = layout.columns[k];
+    const bool time = isTimeUnit(column) || namesTime(column);
+    if (static_cast<int>(k) == layout.timeColumn || column.empty || column.stamps || !time) continue;
+    constexpr double kApart = 0.01;
+    const double other = stepOf(k);
+    if (other > 0.0 && std::abs(other - step) > kApart * step) layout.otherTime = column.name;
   }
 }
 
@@ -120,6 +187,7 @@ void settleUnit(std::span<const std::string> lines, const DataRows& rows, TextLa
 
 void findTimeColumn(std::span<const std::string> lines, const DataRows& rows, TextLayout& layout) {
   findStamps(lines, rows, layout);
+  findWords(lines, rows, layout);
   const auto find = [&layout](auto is) {
     const auto found = std::find_if(layout.columns.begin(), layout.columns.end(), is);
     return found == layout.columns.end() ? -1 : static_cast<int>(found - layout.columns.begin());
@@ -131,9 +199,11 @@ void findTimeColumn(std::span<const std::string> lines, const DataRows& rows, Te
   const bool header =
       std::any_of(layout.columns.begin(), layout.columns.end(), [](const TextColumn& c) { return !c.name.empty(); });
   if (layout.timeColumn < 0 && !header) findUnnamed(lines, rows, layout);
+  findRowNumbers(lines, rows, layout);
   if (layout.timeColumn < 0) return;
   layout.timeStamps = layout.columns[static_cast<std::size_t>(layout.timeColumn)].clock;
   if (!layout.timeStamps) settleUnit(lines, rows, layout);
+  findOtherTime(lines, rows, layout);
 }
 
 std::optional<double> TimeCells::seconds(std::string_view cell) {
@@ -150,7 +220,10 @@ std::optional<double> TimeCells::stampSeconds(std::string_view cell) {
     ns += (before_ns_ - ns) / kDay_ns * kDay_ns;  // days passed so far
     if (before_ns_ - ns > kDay_ns / 2) ns += kDay_ns;
   }
-  if (!begun_) origin_ = ns;
+  if (!begun_) {
+    origin_ = ns;
+    if (stamp->day) started_ns_ = stamp->zone_ns ? ns : localTime(ns);
+  }
   begun_ = true;
   before_ns_ = ns;
   return static_cast<double>(ns - origin_) * 1e-9;
@@ -172,6 +245,8 @@ std::optional<double> TimeCells::numberSeconds(std::string_view cell) {
     origin_ = whole;
     originPart_ = part;
     begun_ = true;
+    const double since1970 = (static_cast<double>(whole) + part) * secondsPerTime_;
+    if (since1970 >= kEpochFrom && since1970 < kEpochTo) started_ns_ = static_cast<std::int64_t>(since1970 * 1e9);
   }
   // Unsigned, for what a damaged cell holds may overflow.
   const auto steps = static_cast<std::int64_t>(static_cast<std::uint64_t>(whole) - static_cast<std::uint64_t>(origin_));

@@ -23,6 +23,9 @@ class TimeCells {
       : stamps_(layout.timeStamps), secondsPerTime_(layout.secondsPerTime), decimalComma_(layout.cells.decimalComma) {}
   // Nothing: the cell holds no time. A clock that jumps back by half a day or more has passed midnight.
   std::optional<double> seconds(std::string_view cell);
+  // Of the first cell, ns since 1970 UTC; empty: it has no date. A stamp that does not say its zone is of this
+  // computer's, as those of a logger beside it are.
+  std::optional<std::int64_t> startedNs() const { return started_ns_; }
 
  private:
   std::optional<double> stampSeconds(std::string_view cell);
@@ -35,6 +38,7 @@ class TimeCells {
   std::int64_t origin_ = 0;  // whole units of the column, or ns of a stamp
   double originPart_ = 0.0;
   std::int64_t before_ns_ = 0;  // last stamp, midnights included
+  std::optional<std::int64_t> started_ns_;
 };
 
 }  // namespace stillcut::record

@@ -8,6 +8,7 @@
 
 #include "core/formats/column_reader.h"
 #include "core/formats/universal/uff58_cursor.h"
+#include "core/formats/universal/uff_date.h"
 #include "core/formats/variable_channels.h"
 #include "core/units/unit_names.h"
 
@@ -217,6 +218,7 @@ Result<std::unique_ptr<RecordingReader>> openUff(const std::string& path, const 
   const UffChannel& chosen = mostNumbers(*found);
   format.frames = chosen.frames();
   format.rate = Hertz(chosen.rate);
+  format.started_ns = uff::madeAt(chosen.place.header.id[2]).value_or(0);
   std::vector<ColumnChannel> all;
   for (const UffChannel& one : *found) {
     if (one.frames() != chosen.frames() || one.rate != chosen.rate) {

@@ -127,7 +127,7 @@ Status check(const ForceTest& test) {
   }
   if (test.means.size() < 2 || high < 1.02 * low) {
     return bad(message("needs mean forces at two different feeds or more"),
-               message("edge and chip forces cannot be told apart else"));
+               message("edge and chip forces cannot be separated otherwise"));
   }
   if (test.axes.signs) {
     for (const int sign : *test.axes.signs) {
@@ -181,6 +181,9 @@ milling::Material CuttingCoefficients::material() const {
   m.tangentialEdge = tangentialEdge.value;
   m.radialEdge = radialEdge.value;
   m.exponent = 1.0;
+  // As bands take it: of K_t and K_r together, so that of the larger one.
+  constexpr double kMost = 0.5;
+  if (tangential.value > 0.0) m.spread = std::min(kMost, tangential.deviation / tangential.value);
   return m;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Spectrum = std::vector<std::complex<double>>;
 
-// The hammer's spectrum carries information down to this share of its largest line (-45 dB: a sensor of 16 bits still
+// The hammer's spectrum carries information down to this part of its largest line (-45 dB: a sensor of 16 bits still
 // leaves some 50 dB of range below that).
 constexpr double kUsableShare = 0.0056;
 // Above this the cut-off end of a response shows in the lines around it.

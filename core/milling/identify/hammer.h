@@ -25,12 +25,12 @@ struct HammerRecord {
 enum class FrfEstimate { H1, H2 };
 
 struct HammerOptions {
-  double trigger = 0.15;        // a hit: force above this share of the record's largest force
+  double trigger = 0.15;        // a hit: force above this fraction of the record's largest force
   double separation = 0.25;     // pulses further apart are hits of their own, nearer ones a double hit [s]
-  double doubleHit = 0.04;      // a second pulse above this share of the first is a double hit
+  double doubleHit = 0.04;      // a second pulse above this fraction of the first is a double hit
   double duration = 0.0;        // analysed after each hit [s]; 0: up to the next hit or the record's end
   double forceWindow = 0.0;     // force set to zero (tapered) later than this after its peak [s]; 0: off
-  double exponentialEnd = 1.0;  // share of amplitude the exponential window leaves at the end; 1: off
+  double exponentialEnd = 1.0;  // fraction of amplitude the exponential window leaves at the end; 1: off
   double overload = 0.0;        // force or response at or beyond this size is overloaded [own unit each]; 0: by shape
   bool useDoubleHits = false;   // keep hits that failed the check
   bool flipForce = false;       // the force channel counts a push as negative
@@ -55,7 +55,7 @@ struct HammerResult {
   Frf frf;                       // of the records' quantity
   std::vector<Hit> hits;         // all that were found, in the order of the records
   int averages = 0;              // hits used
-  std::vector<Message> remarks;  // one line each: what was left out, what was turned, what to doubt
+  std::vector<Message> remarks;  // one line each: what was left out, what was inverted, what is uncertain
 };
 
 // Records of one axis, all with one sampling rate. A force whose pulses are negative is turned, and so is a response

@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
-constexpr double kArc = 0.9;  // share of the unit circle the band takes
+constexpr double kArc = 0.9;  // fraction of the unit circle the band takes
 constexpr double kLargestDamping = 0.3;
 
 // Sums of z^d, H z^d and |H|^2 z^d over the lines, d = 0 .. order: the normal equations are Toeplitz in them.

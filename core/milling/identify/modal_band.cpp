@@ -13,7 +13,7 @@ constexpr double kReach = 0.20;          // where the skirts of a peak are looke
 constexpr double kNoisy = 0.04;          // scatter of neighbouring lines against the peak
 constexpr double kLeastCoherence = 0.8;
 
-// Index range within a share of frequency around line i, at least two lines to either side.
+// Index range within a fraction of frequency around line i, at least two lines to either side.
 std::pair<std::size_t, std::size_t> around(const Frf& frf, std::size_t i, double share) {
   const auto& f = frf.frequency;
   const auto low = std::lower_bound(f.begin(), f.end(), f[i] * (1.0 - share)) - f.begin();

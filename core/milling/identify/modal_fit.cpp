@@ -217,12 +217,39 @@ bool withoutWindow(milling::Mode& mode, double addedDecay) {
   return true;
 }
 
+// A mode far below the band is all inertia in it, one far above all compliance. A residual with the other sign stands
+// for no structure and is left out.
+std::vector<milling::Mode> residualModes(const ModalLines& lines, double compliance, double inertia) {
+  constexpr double kBelow = 0.2, kAbove = 4.0;  // of the ends of the band
+  constexpr double kDamping = 0.3;              // so much that they chatter nowhere themselves
+  std::vector<milling::Mode> modes;
+  if (inertia > 0.0) {
+    // -inertia (middle/f)^2 is what a mode of this frequency comes to.
+    const double low = kBelow * lines.from, middle = 0.5 * (lines.from + lines.to);
+    modes.push_back({Hertz(low), kDamping, (low / middle) * (low / middle) / inertia, {1.0, 0.0}});
+  }
+  if (compliance > 0.0) modes.push_back({Hertz(kAbove * lines.to), kDamping, 1.0 / compliance, {1.0, 0.0}});
+  return modes;
+}
+
 void describeModes(ModalFit& fit, const ModalLines& lines, const Selection& selection, const Frf& frf) {
   const std::vector<ModalPole>& poles = selection.poles();
   const ConstantsFit constants = fitConstants(lines, poles, ModalConstants::Complex);
   const Eigen::MatrixX3d sd = relativeDeviations(lines, poles);
   fit.misfit = constants.misfit;
-  fit.realMisfit = fitConstants(lines, poles, ModalConstants::Real).misfit;
+  const ConstantsFit real = fitConstants(lines, poles, ModalConstants::Real);
+  fit.realMisfit = real.misfit;
+  const auto modes = static_cast<Eigen::Index>(poles.size());
+  for (Eigen::Index i = 0; i < modes; ++i) {
+    const ModalPole& pole = poles[static_cast<std::size_t>(i)];
+    if (!(real.constants[i] > 0.0)) continue;
+    milling::Mode mode{Hertz(pole.frequency), pole.damping, 1.0 / real.constants[i], {1.0, 0.0}};
+    if (withoutWindow(mode, frf.addedDecay)) fit.whole.push_back(mode);
+  }
+  for (const milling::Mode& mode : residualModes(lines, real.constants[modes], real.constants[modes + 2])) {
+    fit.whole.push_back(mode);
+    ++fit.outside;
+  }
   fit.fitted.assign(constants.fitted.begin(), constants.fitted.end());
   for (std::size_t i = 0; i < poles.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);

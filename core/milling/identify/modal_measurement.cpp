@@ -90,7 +90,9 @@ Result<ModalAnswer> measureResponses(const std::vector<std::string>& paths, cons
     answer.axes.push_back(std::move(*one));
   }
   for (const auto& [axis, records] : sorted->records) {
-    auto one = fromHammer(records, request.hammer);
+    HammerOptions hammer = request.hammer;
+    if (const auto out = request.without.find(axis); out != request.without.end()) hammer.without = out->second;
+    auto one = fromHammer(records, hammer);
     if (!one) return one.error();
     answer.axes.push_back(std::move(*one));
   }

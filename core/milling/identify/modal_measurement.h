@@ -3,6 +3,7 @@
 // Thread: any, set-up path.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace stillcut::identify {
 
 struct ModalRequest {
   ImportOptions import;  // as many axes as files: one each, in their order
-  HammerOptions hammer;  // its flipResponse also turns an imported frequency response
+  HammerOptions hammer;  // its flipResponse also inverts an imported frequency response
   ModalOptions fit;
+  std::map<Axis, std::vector<int>> without;  // hits to leave out along an axis, instead of those of `hammer`
 };
 
 // What was found along one axis.

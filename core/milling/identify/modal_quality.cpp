@@ -19,6 +19,27 @@ std::string shortNumber(double value) {
   return text;
 }
 
+// Two constants by their normal equations: the columns are 1 and -(at / f)^2.
+Residual residualOf(const std::vector<double>& frequency, const std::vector<std::complex<double>>& rest, double at) {
+  double ones = 0.0, cross = 0.0, squares = 0.0;
+  std::complex<double> first = 0.0, second = 0.0;
+  for (std::size_t i = 0; i < frequency.size(); ++i) {
+    const double mass = -(at / frequency[i]) * (at / frequency[i]);
+    ones += 1.0;
+    cross += mass;
+    squares += mass * mass;
+    first += rest[i];
+    second += mass * rest[i];
+  }
+  const double determinant = ones * squares - cross * cross;
+  Residual residual;
+  if (!(determinant > 1e-12 * ones * squares)) return residual;
+  residual.at = at;
+  residual.upper = (squares * first - cross * second) / determinant;
+  residual.lower = (ones * second - cross * first) / determinant;
+  return residual;
+}
+
 }  // namespace
 
 double coherenceAt(const Frf& frf, const milling::Mode& mode) {
@@ -36,6 +57,7 @@ double coherenceAt(const Frf& frf, const milling::Mode& mode) {
 
 void judgeWritten(ModalFit& fit, double addedDecay) {
   double off = 0.0;
+  std::vector<std::complex<double>> rest;  // what the modes leave
   double whole = 0.0;
   for (std::size_t i = 0; i < fit.frequency.size(); ++i) {
     const std::complex<double> s(addedDecay, kTwoPi * fit.frequency[i]);
@@ -45,11 +67,16 @@ void judgeWritten(ModalFit& fit, double addedDecay) {
       written += w * w / m.mode.stiffness / (s * s + 2.0 * m.mode.damping * w * s + w * w);
     }
     off += std::norm(written - fit.measured[i]);
+    rest.push_back(fit.measured[i] - written);
     whole += std::norm(fit.measured[i]);
     fit.measuredDepth = std::max(fit.measuredDepth, -fit.measured[i].real());
     fit.writtenDepth = std::max(fit.writtenDepth, -written.real());
   }
   fit.writtenMisfit = whole > 0.0 ? std::sqrt(off / whole) : 0.0;
+  fit.residual = residualOf(fit.frequency, rest, 0.5 * (fit.from + fit.to));
+  double left = 0.0;
+  for (std::size_t i = 0; i < rest.size(); ++i) left += std::norm(rest[i] - fit.residual.value(fit.frequency[i]));
+  fit.residualMisfit = whole > 0.0 ? std::sqrt(left / whole) : 0.0;
   const double ratio = fit.writtenDepth / std::max(fit.measuredDepth, 1e-30);
   if (std::abs(ratio - 1.0) > kDepthOff) {
     fit.remarks.push_back(

@@ -22,9 +22,10 @@ struct ModesFile {
   std::string source;                 // the measurement
   double from = 0.0;                  // band fitted [Hz]
   double to = 0.0;
-  double misfit = 0.0;         // relative, complex constants
-  double realMisfit = 0.0;     // relative, real modes and residuals
-  double writtenMisfit = 0.0;  // relative, the modes as they stand in the file
+  double misfit = 0.0;              // relative, complex constants
+  double realMisfit = 0.0;          // relative, real modes and residuals
+  double writtenMisfit = 0.0;       // relative, the modes as they stand in the file
+  std::vector<Residual> residuals;  // one an axis, beside those modes; may be missing
 };
 
 struct MaterialFile {

@@ -54,6 +54,37 @@ const std::vector<Column>& columns() {
   return kColumns;
 }
 
+// One row an axis: direction, upper, lower (real and imaginary part), the frequency of the lower one.
+constexpr std::size_t kResidualNumbers = 7;
+
+void readResiduals(const TomlTable& t, ModesFile& file) {
+  if (!t.has("residuals")) return;
+  const std::vector<double> v = t.numbers("residuals");
+  if (v.empty() || v.size() % kResidualNumbers != 0) {
+    t.refuse("residuals", message("needs %1 numbers an axis", kResidualNumbers));
+    return;
+  }
+  for (std::size_t i = 0; i < v.size(); i += kResidualNumbers) {
+    file.residuals.push_back({{v[i + 2], v[i + 3]}, {v[i + 4], v[i + 5]}, v[i + 6], {v[i], v[i + 1]}});
+  }
+}
+
+std::string residualsText(const std::vector<Residual>& residuals) {
+  if (residuals.empty()) return {};
+  config::TomlWriter notes;
+  notes.comment("an axis: x, y of its direction; of modes above the band re, im; of those below re, im at Hz [m/N]");
+  std::string text = notes.content() + "residuals = [";
+  bool first = true;
+  for (const Residual& r : residuals) {
+    for (const double v :
+         {r.direction[0], r.direction[1], r.upper.real(), r.upper.imag(), r.lower.real(), r.lower.imag(), r.at}) {
+      text += (first ? "" : ", ") + numberText(v);
+      first = false;
+    }
+  }
+  return text + "]\n";
+}
+
 void readFit(const TomlTable& t, ModesFile& file) {
   file.source = t.textOr("source", "");
   file.from = t.numberOr("from_hz", 0.0, 0.0, 1e9);
@@ -70,6 +101,7 @@ void readFit(const TomlTable& t, ModesFile& file) {
     }
     for (std::size_t i = 0; i < values.size(); ++i) column.member(file.modes[i]) = values[i];
   }
+  readResiduals(t, file);
   if (!t.has("doubt")) return;
   const std::vector<std::string> doubts = t.texts("doubt");
   if (doubts.size() != file.modes.size()) {
@@ -96,13 +128,16 @@ Result<ModesFile> read(const TomlReader& in) {
 }  // namespace
 
 ModesFile modesFile(const ModalFit& fit, const std::string& source, std::array<double, 2> direction) {
-  ModesFile file{fit.modes, source, fit.from, fit.to, fit.misfit, fit.realMisfit, fit.writtenMisfit};
+  ModesFile file{fit.modes, source, fit.from, fit.to, fit.misfit, fit.realMisfit, fit.writtenMisfit, {}};
+  if (fit.residual.at > 0.0) file.residuals = {fit.residual};
+  for (Residual& residual : file.residuals) residual.direction = direction;
   for (IdentifiedMode& m : file.modes) m.mode.direction = direction;
   return file;
 }
 
 ModesFile joined(ModesFile first, const ModesFile& second) {
   first.modes.insert(first.modes.end(), second.modes.begin(), second.modes.end());
+  first.residuals.insert(first.residuals.end(), second.residuals.begin(), second.residuals.end());
   if (first.source != second.source) first.source += ", " + second.source;
   first.from = std::min(first.from, second.from);
   first.to = std::max(first.to, second.to);
@@ -136,7 +171,8 @@ std::string modesFileText(const ModesFile& file) {
     for (std::size_t i = 0; i < modes.size(); ++i) text += (i > 0 ? ", " : "") + numberText(column.member(modes[i]));
     text += "]\n";
   }
-  // Doubts are our own sentences: nothing in them needs escaping.
+  text += residualsText(file.residuals);
+  // Caveats are our own sentences: nothing in them needs escaping.
   text += "doubt = [";
   for (std::size_t i = 0; i < modes.size(); ++i) text += (i > 0 ? ", \"" : "\"") + modes[i].caveat + "\"";
   return text + "]\n";

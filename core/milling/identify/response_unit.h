@@ -1,7 +1,7 @@
 // The unit of a compliance whose file does not say it, where only one is possible. Units in use (m/N, mm/N, um/N,
 // in/lbf) lie 5.7 to 1000 times apart, and machine tools are neither softer nor stiffer than some: where exactly one
 // unit gives a stiffness they have, it is that one, and the caller says so; where two do, or where the phase is not
-// that of a compliance, nobody can know and the option is asked for. Accelerances in g and m/s^2 are never told apart.
+// that of a compliance, nobody can know and the option is asked for. Accelerances in g and m/s^2 look alike.
 // Thread: any, set-up path.
 #pragma once
 

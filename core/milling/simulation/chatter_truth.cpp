@@ -19,13 +19,18 @@ constexpr double kSureGrowth = 1.0;  // e-folds; a stable cut's disturbance may 
 // A growth that beats dips below zero, above all at low immersion where a tooth touches for a moment only: less than
 // this is a beat, more an end.
 constexpr double kDip = 1.0;  // e-folds
+// What has grown for so long is as large as it becomes: chatter, small as teeth that leave the cut, or a force that
+// grows less than the chip, may keep it beside the forced vibration.
+constexpr double kGrownOut = 10.0;  // e-folds
+constexpr double kSmallRatio = 0.03;
 constexpr double kLeastGain = 0.3;
+constexpr double kLocked = 0.02;       // of a period's frequency
 constexpr double kNoiseGain = 2.449;   // of white noise: the root of 1 + 4 + 1
 constexpr double kUsualMemory = 0.5;   // [s]
 constexpr double kMeanTurns = 2.0;     // the teeth's load makes a slow spindle's speed ripple by some percent
 constexpr double kFlicker = 0.05;      // [s]; slow growth is measured below zero for so long at most
 constexpr double kLeastForced = 0.05;  // of the strongest forced vibration so far: a cut that fades out
-// A drift of the speed by this much takes a line along by far less; a speed that somebody turns passes it at once.
+// A drift of the speed by this much takes a line along by far less; a speed that somebody changes passes it at once.
 constexpr double kTurned = 1e-2;
 
 // `least`: what counts as forced in any case.
@@ -153,7 +158,8 @@ void ChatterTruth::count(const TruthSample& s, bool settled) noexcept {
 
 void ChatterTruth::decide(const TruthSample& s, double middle, bool settled) noexcept {
   const double rate = perRev_ * meanHz_;
-  if (settled && counted_ >= (sustained_ ? kOverRatio : kEventRatio)) {
+  const double least = grown_ > kGrownOut ? kSmallRatio : sustained_ ? kOverRatio : kEventRatio;
+  if (settled && counted_ >= least) {
     if (aboveSince_ < 0.0) aboveSince_ = middle;
     // Full chatter is sure; it may lock and hide before six revolutions are over.
     sustained_ = sustained_ || counted_ >= kMarkRatio || middle - aboveSince_ >= std::max(0.05, 6.0 / s.spindleHz);
@@ -166,11 +172,12 @@ void ChatterTruth::decide(const TruthSample& s, double middle, bool settled) noe
     eventFlips_ = s.flips;
     eventFolded_ = s.folded;
     eventFoldHz_ = s.foldHz;
-    differenceShows_ = !s.flips || s.gain > kLeastGain;
+    const bool withSpindle = s.folded < kLocked;  // a fold: it drifts away with the forced vibration's own period
+    differenceShows_ = s.gain > kLeastGain || (!s.flips && !withSpindle);
     freezeAt_ = aboveSince_ + spectrumLength_;
     differenceRate_ = rate;
   }
-  // Freeze once the window lies in the chatter, or as soon as somebody turns the speed.
+  // Freeze once the window lies in the chatter, or as soon as somebody changes the speed.
   if (eventTime_ >= 0.0 && !frozen_) {
     frozen_ = s.time >= freezeAt_ || std::abs(rate / differenceRate_ - 1.0) > kTurned;
   }

@@ -1,4 +1,4 @@
-// ChatterTruth: what really goes on in a simulated cut, to judge detectors and controllers by. It looks at the tip of
+// ChatterTruth: what really goes on in a simulated cut, to measure detectors and controllers by. It looks at the tip of
 // the tool itself; sensors and their noise do not come into it. Definition:
 // resources/manual/developers/laws.md#chatter-truth. Thread: one. add() is real-time safe; the questions about the past
 // are not.
@@ -52,9 +52,11 @@ class ChatterTruth {
   void add(const TruthSample& sample) noexcept;
 
   // Now.
-  double ratio() const { return ratio_; }            // amplitude, chatter part to forced
-  double chatterRatio() const { return counted_; }   // as far as it counts as chatter
-  bool chattering() const { return sustained_; }     // chatterRatio above 0.2 for six revolutions and 50 ms, until 0.1
+  double ratio() const { return ratio_; }           // amplitude, chatter part to forced
+  double chatterRatio() const { return counted_; }  // as far as it counts as chatter
+  // chatterRatio above 0.2 for six revolutions and 50 ms, until 0.1; above 0.03 where a disturbance has had the time to
+  // become as large as it becomes.
+  bool chattering() const { return sustained_; }
   Metres marked() const { return Metres(marked_); }  // path cut with a chatterRatio above 0.5 (an energy ratio of 20 %)
   double vibration() const { return totalRms_; }     // rms of the tip's acceleration [m/s^2]
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/milling/linear_force.h"
+
 namespace stillcut::milling {
 
 namespace {
@@ -19,14 +21,8 @@ std::size_t at(int i) {
 CutModel linearised(CutModel m, Metres feedPerTooth) {
   m.tool.runout.clear();
   m.material.tangentialEdge = m.material.radialEdge = 0.0;
-  if (m.material.exponent != 1.0) {
-    // Slope of K h^x at the mean chip of a slot, 2 f_z / pi.
-    const double chip = std::max(feedPerTooth.value, 1e-6) * 4.0 / kTwoPi;
-    const double slope = m.material.exponent * std::pow(chip, m.material.exponent - 1.0);
-    m.material.tangential *= slope;
-    m.material.radial *= slope;
-    m.material.exponent = 1.0;
-  }
+  // Where the lobes take it as straight.
+  m.material = linearisedAt(m.material, meanChip(m.engagement, std::max(feedPerTooth, Metres(1e-6))));
   return m;
 }
 
@@ -98,7 +94,7 @@ void GrowthProbe::advance() noexcept {
 void GrowthProbe::endPeriod() noexcept {
   const double mean = energySum_ / tick_;
   const double pace = 1.0 - std::exp(-duration_ / std::max(kMemory, kPeriods * duration_));
-  // The turn over a revolution needs the turn over a period the more exactly the more of them there are.
+  // The phase over a revolution needs the phase over a period the more exactly the more of them there are.
   const double slowPace = 1.0 - std::exp(-duration_ / std::max(kMemory, kPeriods * periods_ * duration_));
   if (!first_ && mean > 0.0) growth_ += (0.5 * std::log(mean / energyBefore_) / duration_ - growth_) * pace;
   if (!first_ && den_ > 0.0) cosine_ += (std::clamp(num_ / den_, -1.0, 1.0) - cosine_) * slowPace;

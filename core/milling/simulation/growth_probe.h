@@ -30,7 +30,7 @@ class GrowthProbe {
   // |1 - exp(-2 pi i f T)|^2 of the motion's frequency f, 0..4, where `perRevolution` periods T make a revolution (1,
   // or the teeth of a regular pitch); near zero it all but repeats.
   double gain(int perRevolution) const noexcept;
-  // The motion's frequency as a share of the tooth-passing frequency, folded into 0 .. 1/2 (of the spindle's with a
+  // The motion's frequency as a fraction of the tooth-passing frequency, folded into 0 .. 1/2 (of the spindle's with a
   // variable pitch); its lines lie at this, plus or minus, from every multiple.
   double folded() const noexcept;
   int periodsPerRevolution() const { return periods_; }
@@ -49,7 +49,7 @@ class GrowthProbe {
   NoiseSource nudges_{1};
   int tick_ = 0;
   double energySum_ = 0.0, energyBefore_ = 1.0, duration_ = 0.0;
-  double growth_ = 0.0, cosine_ = 0.0;  // of the motion's turn over a period
+  double growth_ = 0.0, cosine_ = 0.0;  // of the motion's rotation over a period
   std::vector<double> past_;            // tip motion, x + y, over two periods
   std::size_t pastAt_ = 0;
   double num_ = 0.0, den_ = 0.0;

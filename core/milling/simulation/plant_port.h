@@ -1,6 +1,6 @@
 // PlantPort: how the simulated source and the simulated machine share one plant without locks. The source's thread owns
 // the plant and advances it; the machine's thread leaves what is asked of the plant here and finds the plant's state.
-// Used by turns in one thread it does the same, reproducibly.
+// Used alternately in one thread it does the same, reproducibly.
 // Thread: order/knobs and state side on the link thread, serve() and publish() on the driver thread. Real-time safe.
 #pragma once
 

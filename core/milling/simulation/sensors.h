@@ -35,7 +35,7 @@ struct SensorSettings {
   double noise = 0.0;         // white, rms in device units
   double fullScale = 0.0;     // clipping level in device units; 0: none
   double step = 0.0;          // quantisation in device units; 0: none
-  double counts = 0.0;        // speed: places an encoder tells apart in a turn, of which it is made; 0: as it is
+  double counts = 0.0;        // speed: places of an encoder in a revolution, of which it is made; 0: as it is
   std::vector<Echo> echoes;   // sound: the direct way is the first
   SensorFault fault = SensorFault::None;
   Seconds faultFrom{};
@@ -71,7 +71,7 @@ class Sensor {
   NoiseSource noise_;
   double filtered_ = 0.0, looseGain_ = 1.0;
   double finePerMinute_, samplesPerMinute_;
-  double turned_ = 0.0, place_ = 0.0;  // turns; the encoder's last place [counts]
+  double turned_ = 0.0, place_ = 0.0;  // revolutions; the encoder's last place [counts]
   bool clipped_ = false;
   bool settled_ = false, counting_ = false;
 };

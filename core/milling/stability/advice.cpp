@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/milling/stability/lobe_refine.h"
 #include "core/milling/stability/lobe_sweep.h"
 
 namespace stillcut::milling {
@@ -11,12 +12,10 @@ namespace stillcut::milling {
 namespace {
 
 constexpr double kDepthSearched = 4.0;  // times the depth asked for
-constexpr double kWaveStep = 0.1;  // waves of the fastest mode between two teeth from one speed looked at to the next
-constexpr std::size_t kMostSteps = 5000;
-constexpr double kClearOfLimit = 1.1;  // limit over depth that a quiet speed has
-constexpr int kQuietLooks = 60;        // speeds of a pocket compared for their forced vibration
-constexpr double kBestStep = 0.5;      // [rev/min]
-constexpr double kEdgeStep = 0.05;     // [rev/min]
+constexpr double kClearOfLimit = 1.1;   // limit over depth that a quiet speed has
+constexpr int kQuietLooks = 60;         // speeds of a pocket compared for their forced vibration
+constexpr double kBestStep = 0.5;       // [rev/min]
+constexpr double kEdgeStep = 0.05;      // [rev/min]
 
 class Adviser {
  public:
@@ -43,9 +42,7 @@ class Adviser {
  private:
   bool stable(const SpeedLimits& limits) const { return limitOf(limits) > request_.depth; }
 
-  Metres limitOf(const SpeedLimits& limits) const {
-    return limits.hasLimit() ? limits.crossings.front().depth : limits.searchedTo;
-  }
+  Metres limitOf(const SpeedLimits& limits) const { return limitingDepth(limits); }
 
   SpeedLimits at(Rpm speed) const {
     return lobes_.limits(speed, {kDepthSearched * request_.depth, true, true, request_.depth}, stop_).value();
@@ -54,7 +51,9 @@ class Adviser {
   // Bisection between a stable and an unstable speed.
   PocketEdge edge(Rpm inside, Rpm outside) const {
     SpeedLimits beyond;
-    while (std::abs((outside - inside).value) > std::min(kEdgeStep, 1e-4 * inside.value) && !stop_.stop_requested()) {
+    while (std::abs((outside - inside).value) >
+               std::max(request_.finest.value, std::min(kEdgeStep, 1e-4 * inside.value)) &&
+           !stop_.stop_requested()) {
       const Rpm middle = 0.5 * (inside + outside);
       SpeedLimits limits = at(middle);
       if (stable(limits)) {
@@ -100,7 +99,7 @@ class Adviser {
   Rpm climbed(Rpm best, Rpm low, Rpm high) const {
     constexpr int kCells = 8;
     Metres limit = limitOf(at(best));
-    while (high - low > Rpm(kBestStep) && !stop_.stop_requested()) {
+    while (high - low > std::max(request_.finest, Rpm(kBestStep)) && !stop_.stop_requested()) {
       const Rpm from = low, step = (high - low) / static_cast<double>(kCells);
       for (int i = 1; i < kCells; ++i) {
         const Rpm speed = from + static_cast<double>(i) * step;
@@ -165,20 +164,6 @@ Rpm speedLimitOfTool(const Tool& tool, double cuttingSpeed) {
   return Rpm(cuttingSpeed / (std::numbers::pi * tool.diameter.value));
 }
 
-// Close enough that no lobe of the fastest mode falls between two.
-std::vector<Rpm> speedsToLookAt(const CutModel& model, Rpm lowest, Rpm highest, int steps) {
-  double fastest = 0.0;
-  for (const Mode& m : model.modes) fastest = std::max(fastest, m.frequency.value);
-  const Rpm even = (highest - lowest) / static_cast<double>(steps);
-  std::vector<Rpm> speeds{lowest};
-  while (speeds.back() < highest && speeds.size() < kMostSteps) {
-    const Rpm at = speeds.back();
-    const double waves = fastest / toothPassing(at, model.tool.teeth).value;
-    speeds.push_back(std::min(highest, at + std::min(even, at * (kWaveStep / std::max(waves, kWaveStep)))));
-  }
-  return speeds;
-}
-
 }  // namespace
 
 Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& request, const std::string& where,
@@ -205,7 +190,7 @@ Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& req
                                : message("the speed range is empty")};
   }
   if (Status ok = lobes->checkSpeed(request.lowest); !ok) return ok.error();
-  const std::vector<Rpm> speeds = speedsToLookAt(model, request.lowest, highest, request.steps);
+  const std::vector<Rpm> speeds = speedsAcross(model, request.lowest, highest, request.steps);
   if (speeds.back() < highest) {
     return Error{where, message("the speed range holds more lobes than can be looked at"),
                  message("raise the lowest speed")};

@@ -22,6 +22,7 @@ struct AdviceRequest {
   int steps = 200;                     // speeds looked at before the edges are refined, 8 .. 5000; more where
                                        // the lobes are narrow
   int threads = 2;
+  Rpm finest{};  // edges and best speed are looked for no more finely than this; 0: to 0.05 and 0.5 rev/min
 };
 
 struct PocketEdge {
@@ -41,7 +42,7 @@ struct SpeedPocket {
   Rpm best{};            // the speed with the largest limiting depth inside, to 1 rev/min
   Metres limit{};        // limiting depth there; the largest one searched (4 x depth) where nothing limits it
   double margin = 0.0;   // limit/depth - 1 at `best`
-  double width = 0.0;    // how far the speed may be off at `best`, smaller side, as a share of it
+  double width = 0.0;    // how far the speed may be off at `best`, smaller side, as a fraction of it
   double removal = 0.0;  // at `best`: depth x width of cut x feed [m^3/s]; 0 without a feed
   // With a feed and teeth that are alike: at `best`, and where in the pocket the forced vibration is least.
   std::optional<ForcedVibration> forced{};

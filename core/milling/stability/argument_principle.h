@@ -1,6 +1,6 @@
 // The change of arg f along an arc of a circle about 0, by adaptive bisection; what every count of multipliers here
 // rests on. Counting on |mu| = r: a function analytic outside with f ~ mu^n at infinity has
-// n - (turns of arg f along the whole circle) zeros outside. Pure: any thread; set-up, not real-time.
+// n - (rounds of arg f along the whole circle) zeros outside. Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace stillcut::milling {
 
 namespace detail {
 
-// Halves until both halves of a step turn by less than 0.8 rad; `touches` when that never happens: a zero on the arc.
+// Halves until both halves of a step rotate by less than 0.8 rad; `touches` when that never happens: a zero on the arc.
 template <class F>
 double bisectedChange(const F& f, double a, std::complex<double> fa, double b, std::complex<double> fb, int level,
                       bool& touches) {
@@ -32,7 +32,7 @@ double bisectedChange(const F& f, double a, std::complex<double> fa, double b, s
 }  // namespace detail
 
 // f maps an angle in [a, b] to a complex value; `pieces` is how many steps to begin with. NaN when a zero lies on the
-// arc to within what can be told.
+// arc to within what can be resolved.
 template <class F>
 double argumentChange(const F& f, double a, double b, int pieces) {
   bool touches = false;

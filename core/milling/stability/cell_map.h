@@ -155,7 +155,7 @@ class CellMap {
     using Tip = Eigen::Matrix<std::complex<double>, A, Columns::ColsAtCompileTime>;
     const std::complex<double> nu = 1.0 / mu;
     const double effort = 30.0 + 4.0 * static_cast<double>(u.size() * (u.rows() + 4 * A));
-    double ahead = 0.0;  // operations the meter has been told of and that are still to be done
+    double ahead = 0.0;  // operations that were announced to the meter and that are still to be done
     for (const Cell& cell : cells_) {
       if (ahead <= 0.0) {
         ahead = std::max(effort, 1e6);

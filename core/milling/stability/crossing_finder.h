@@ -40,7 +40,7 @@ std::optional<std::vector<CircleCrossing>> findCrossings(const CircleSurface& su
                                                          double caution, WorkMeter& meter);
 
 // Change of arg f along the circle from angle a to b at a depth [rad]; NaN when a multiplier sits on the circle to
-// within what can be told, and when stopped. By the argument principle on f/mu^n (analytic outside the circle, one at
+// within the resolution, and when stopped. By the argument principle on f/mu^n (analytic outside the circle, one at
 // infinity) the number of multipliers outside is states - change(0, pi)/pi, the lower half circle mirroring the upper
 // one.
 double argumentChange(const Characteristic& characteristic, double depth, double a, double b, WorkMeter& meter);

@@ -38,13 +38,15 @@ CutModel drawn(CutModel model, const ModelSpread& spread, Dice& dice) {
   model.material.tangential *= force;
   model.material.radial *= force;
   model.material.processDamping *= force;
+  // Drawn only where it is asked for, so that bands without it stay what they were.
+  if (spread.processDamping > 0.0) model.material.processDamping *= dice.around(1.0, spread.processDamping);
   return model;
 }
 
 }  // namespace
 
 Status check(const ModelSpread& spread, const std::string& where) {
-  for (double v : {spread.frequency, spread.damping, spread.stiffness, spread.force}) {
+  for (double v : {spread.frequency, spread.damping, spread.stiffness, spread.force, spread.processDamping}) {
     if (!(v >= 0.0) || v > 0.5) return Error{where, message("a spread must lie between 0 and 50 %")};
   }
   if (spread.samples < 8 || spread.samples > 1000) return Error{where, message("samples must be 8 to 1000")};

@@ -19,8 +19,11 @@ namespace stillcut::milling {
 struct ModelSpread {
   double frequency = 0.0, damping = 0.0, stiffness = 0.0;  // of every mode on its own
   double force = 0.0;                                      // of all force coefficients together
+  double processDamping = 0.0;                             // besides, of the process damping
   int samples = 24;                                        // 8 .. 1000
-  bool any() const { return frequency > 0.0 || damping > 0.0 || stiffness > 0.0 || force > 0.0; }
+  bool any() const {
+    return frequency > 0.0 || damping > 0.0 || stiffness > 0.0 || force > 0.0 || processDamping > 0.0;
+  }
 };
 Status check(const ModelSpread& spread, const std::string& where);
 

@@ -21,7 +21,7 @@ struct LobeCase {
   std::map<std::string, std::string> reference;
 };
 
-// Reads a .toml or a shared .json case, told by its suffix; the model is checked, with `parts` in place.
+// Reads a .toml or a shared .json case, by its suffix; the model is checked, with `parts` in place.
 Result<LobeCase> loadLobeCase(const std::string& path, const ModelParts& parts = {});
 Result<LobeCase> importLobeJson(const std::string& path, const ModelParts& parts = {});
 Result<LobeCase> readLobeCase(const std::string& path, const ModelParts& parts = {});

@@ -57,9 +57,13 @@ std::string lobeJson(const LobeSweep& sweep, const std::string& name, std::span<
   }
   json warnings = json::array();
   for (const Message& warning : sweep.warnings) warnings.push_back(text(warning));
-  const json all{{"schema", kJsonSchema}, {"command", "lobes"},
-                 {"case", name},          {"max_depth_mm", 1e3 * sweep.maxAxialDepth.value},
-                 {"warnings", warnings},  {"speeds", std::move(speeds)}};
+  const json all{{"schema", kJsonSchema},
+                 {"command", "lobes"},
+                 {"type", "answer"},
+                 {"case", name},
+                 {"max_depth_mm", 1e3 * sweep.maxAxialDepth.value},
+                 {"warnings", warnings},
+                 {"speeds", std::move(speeds)}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

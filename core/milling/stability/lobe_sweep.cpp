@@ -93,16 +93,13 @@ Result<LobeSweep> sweepWith(const SolveOne& solve, std::span<const Rpm> speeds, 
 
 // A vibration needs several cells a wave, or the scheme sees another one.
 Message coarseCells(const CutModel& model, std::span<const Rpm> speeds, const SdmOptions& sdm) {
-  constexpr double kCellsPerWave = 6.0;
-  double fastest = 0.0;
-  for (const Mode& m : model.modes) fastest = std::max(fastest, m.frequency.value);
   const Rpm slowest = *std::min_element(speeds.begin(), speeds.end());
-  const double waves = fastest / toothPassing(slowest, model.tool.teeth).value;
-  const double wanted = std::ceil(kCellsPerWave * waves);
-  if (!(wanted > sdm.cells)) return {};
-  const double from = slowest.value * wanted / sdm.cells;
+  const int cells = sdm.cells > 0 ? sdm.cells : cellsFor(model, slowest);
+  const double wanted = std::ceil(kLeastCellsPerWave * wavesBetweenTeeth(model, slowest));
+  if (!(wanted > cells)) return {};
+  const double from = slowest.value * wanted / cells;
   return message("semi-discretization with %1 cells is too coarse below %2 rpm: take %3 or more, or the exact method",
-                 std::to_string(sdm.cells), std::to_string(std::lround(from)), std::to_string(std::lround(wanted)));
+                 std::to_string(cells), std::to_string(std::lround(from)), std::to_string(std::lround(wanted)));
 }
 
 }  // namespace
@@ -135,7 +132,8 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
     case LobeMethod::ZerothOrder:
       break;
   }
-  const Result<ZerothOrder> zoa = ZerothOrder::make(model, where);
+  const Result<ZerothOrder> zoa =
+      options.measured ? ZerothOrder::make(model, *options.measured, where) : ZerothOrder::make(model, where);
   if (!zoa) return zoa.error();
   warnings.push_back(zoa->warning());
   if (model.material.processDamping != 0.0) {

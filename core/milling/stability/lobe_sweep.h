@@ -5,12 +5,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "core/milling/stability/exact_lobes.h"
+#include "core/milling/stability/measured_receptance.h"
 #include "core/milling/stability/semi_discretization.h"
 
 namespace stillcut::milling {
@@ -21,8 +23,9 @@ struct SweepOptions {
   LobeMethod method = LobeMethod::Exact;
   LimitOptions limits;  // maxAxialDepth counts for every method
   SdmOptions sdm;
+  std::optional<MeasuredReceptance> measured{};  // the zeroth order takes it instead of the modes
   int threads = 2;
-  std::function<void(double)> progress;  // share done, 0..1
+  std::function<void(double)> progress;  // fraction done, 0..1
 };
 
 struct LobeSweep {

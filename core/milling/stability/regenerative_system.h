@@ -67,7 +67,7 @@ Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const s
 // The same for a model that has been made into a system before.
 RegenerativeSystem systemAt(const CutModel& model, Metres depth);
 
-// Share of the tooth period during which at least one tooth cuts, 0..1.
+// Fraction of the tooth period during which at least one tooth cuts, 0..1.
 double cuttingFraction(const RegenerativeSystem& system);
 
 }  // namespace stillcut::milling

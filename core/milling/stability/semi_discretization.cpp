@@ -13,6 +13,8 @@ namespace stillcut::milling {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr int kLeastCells = 40, kMostCells = 2000;
+constexpr double kCellsPerWave = 8.0;
 
 // Calls `use` with the cell map of the right size.
 template <class Use>
@@ -116,12 +118,27 @@ class SdmRoot {
 
 }  // namespace
 
+double wavesBetweenTeeth(const CutModel& model, Rpm speed) {
+  double fastest = 0.0;
+  for (const Mode& m : model.modes) fastest = std::max(fastest, m.frequency.value);
+  return fastest / toothPassing(speed, model.tool.teeth).value;
+}
+
+int cellsFor(const CutModel& model, Rpm speed) {
+  const double wanted = std::ceil(kCellsPerWave * wavesBetweenTeeth(model, speed));
+  return static_cast<int>(std::clamp(wanted, static_cast<double>(kLeastCells), static_cast<double>(kMostCells)));
+}
+
+SdmOptions SemiDiscretization::optionsAt(Rpm speed) const {
+  return {options_.cells > 0 ? options_.cells : cellsFor(lobes_.model(), speed), options_.order};
+}
+
 Result<SemiDiscretization> SemiDiscretization::make(const CutModel& model, const SdmOptions& options,
                                                     const std::string& where) {
   if (options.order != 0 && options.order != 1) {
     return Error{where, message("the order of semi-discretization must be 0 or 1")};
   }
-  if (options.cells < 1 || options.cells > 2000) {
+  if (options.cells < 0 || options.cells > kMostCells) {
     return Error{where, message("semi-discretization needs 1 to 2000 cells a tooth period")};
   }
   Result<ExactLobes> lobes = ExactLobes::make(model, where);
@@ -139,7 +156,8 @@ std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth) const {
 }
 
 std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth, WorkMeter& meter) const {
-  return withMap(lobes_, speed, depth.value, options_, meter, [](const auto& map) { return countOutside(map); });
+  return withMap(lobes_, speed, depth.value, optionsAt(speed), meter,
+                 [](const auto& map) { return countOutside(map); });
 }
 
 Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxAxialDepth, int scan,
@@ -159,7 +177,7 @@ Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxAxialDepth, i
     if (meter.stopped()) return result;
     if (!count || *count != 0) {
       const double below = maxAxialDepth.value * (i - 1) / scan;
-      const CirclePoint root = SdmRoot(lobes_, speed, options_, meter).find(below, depth);
+      const CirclePoint root = SdmRoot(lobes_, speed, optionsAt(speed), meter).find(below, depth);
       if (!meter.stopped()) result.crossings.push_back(limitAt(speed, root.angle, root.depth, meter));
     }
     if (meter.stopped()) return result;
@@ -178,9 +196,10 @@ StabilityLimit SemiDiscretization::limitAt(Rpm speed, double rootAngle, double d
   limit.kind = kPi - angle < 1e-6 ? CrossingKind::Flip : CrossingKind::Hopf;
   limit.angle = Radians(angle);
   limit.after = limit.kind == CrossingKind::Flip ? 1 : 2;
-  limit.frequency = withMap(lobes_, speed, depth, options_, meter, [&](const auto& map) {
+  const SdmOptions options = optionsAt(speed);
+  limit.frequency = withMap(lobes_, speed, depth, options, meter, [&](const auto& map) {
     return dominantLine(map.tipMotion(std::polar(1.0, angle)), angle, lobes_.system().toothPeriod(speed),
-                        std::max(1, options_.cells / 2 - 1), meter);
+                        std::max(1, options.cells / 2 - 1), meter);
   });
   return limit;
 }

@@ -19,9 +19,16 @@
 namespace stillcut::milling {
 
 struct SdmOptions {
-  int cells = 40;  // k, 1 .. 2000
-  int order = 1;   // 0 or 1
+  int cells = 0;  // k, 1 .. 2000; 0: as many at each speed as the fastest mode calls for (cellsFor)
+  int order = 1;  // 0 or 1
 };
+
+// 40, or 8 for every wave of the fastest mode between two teeth: first order is then good to a percent. 2000 at most.
+int cellsFor(const CutModel& model, Rpm speed);
+// Fewer than this for a wave see another vibration.
+inline constexpr double kLeastCellsPerWave = 6.0;
+// Waves of the fastest mode between two teeth.
+double wavesBetweenTeeth(const CutModel& model, Rpm speed);
 
 class SemiDiscretization {
  public:
@@ -37,6 +44,7 @@ class SemiDiscretization {
   Result<SpeedLimits> limit(Rpm speed, Metres maxAxialDepth, int scan, WorkMeter& meter) const;
 
  private:
+  SdmOptions optionsAt(Rpm speed) const;
   std::optional<int> outside(Rpm speed, Metres depth, WorkMeter& meter) const;
   StabilityLimit limitAt(Rpm speed, double rootAngle, double depth, WorkMeter& meter) const;
   SemiDiscretization(ExactLobes lobes, const SdmOptions& options) : lobes_(std::move(lobes)), options_(options) {}

@@ -133,7 +133,7 @@ void TransitionMatrix::addArc(std::size_t index, double phasePerStep, double fas
     stages_.push_back({false, addDrift(time), {}, {}});
     return;
   }
-  // A step also stays below a third of a radian of the tooth's way, for the force turns with 2 phi.
+  // A step also stays below a third of a radian of the tooth's way, for the force rotates with 2 phi.
   const Splitting& splitting = damped_ ? kAny : kNilpotent;
   const double wanted = std::max(fastest * time / phasePerStep, (arc.to - arc.from) / 0.35);
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(wanted)));
@@ -202,7 +202,7 @@ bool TransitionMatrix::run(const Complex* s, std::size_t lanes, std::vector<doub
     }
   };
   const double effort = stageEffort() * static_cast<double>(lanes);
-  double ahead = 0.0;  // operations the meter has been told of and that are still to be done
+  double ahead = 0.0;  // operations that were announced to the meter and that are still to be done
   for (const Stage& stage : stages_) {
     if (ahead <= 0.0) {
       ahead = std::max(effort, kBetweenLooks);

@@ -24,7 +24,7 @@ using Complex = std::complex<double>;
 
 class TransitionMatrix {
  public:
-  // `phasePerStep`: how far the fastest mode (stiffened by the largest |s| expected) turns within a step of 11 stages
+  // `phasePerStep`: how far the fastest mode (stiffened by the largest |s| expected) rotates within a step of 11 stages
   // [rad]. About 2 gives six digits, 1 about nine.
   // Of no use when the meter has stopped, and then to be thrown away.
   TransitionMatrix(const RegenerativeSystem& system, Rpm speed, double largestS, double phasePerStep, WorkMeter& meter);

@@ -11,9 +11,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Eigenvalues of H0 G(i omega) of the two (or one) axes; `branch` 0 or 1 by the sign of the root.
-Complex orientedEigenvalue(const RegenerativeSystem& system, const Planar& h, double omega, int branch) {
-  std::array<Complex, 4> g{};
+using Receptance = std::array<Complex, 4>;  // xx, xy, yx, yy
+
+Receptance ofModes(const RegenerativeSystem& system, double omega) {
+  Receptance g{};
   for (const auto& o : system.oscillators) {
     const Complex r = 1.0 / (o.mass * Complex(o.omega * o.omega - omega * omega, 2.0 * o.zeta * o.omega * omega));
     g[0] += r * (o.toTip[0] * o.toTip[0]);
@@ -21,7 +22,12 @@ Complex orientedEigenvalue(const RegenerativeSystem& system, const Planar& h, do
     g[3] += r * (o.toTip[1] * o.toTip[1]);
   }
   g[2] = g[1];
-  if (system.axes == 1) return branch == 0 ? h[0] * g[0] : 0.0;
+  return g;
+}
+
+// Eigenvalues of H0 G(i omega) of the two (or one) axes; `branch` 0 or 1 by the sign of the root.
+Complex orientedEigenvalue(const Receptance& g, const Planar& h, int axes, int branch) {
+  if (axes == 1) return branch == 0 ? h[0] * g[0] : 0.0;
   const Complex a = h[0] * g[0] + h[1] * g[2];
   const Complex b = h[0] * g[1] + h[1] * g[3];
   const Complex c = h[2] * g[0] + h[3] * g[2];
@@ -29,6 +35,11 @@ Complex orientedEigenvalue(const RegenerativeSystem& system, const Planar& h, do
   const Complex half = 0.5 * (a + d);
   const Complex root = std::sqrt(half * half - (a * d - b * c));
   return branch == 0 ? half + root : half - root;
+}
+
+// Stand for what was measured where only the directions and the range of frequencies count.
+std::vector<Mode> placeholders(Hertz highest) {
+  return {{highest, 0.05, 1e7, {1.0, 0.0}}, {highest, 0.05, 1e7, {0.0, 1.0}}};
 }
 
 SpeedLimits stoppedAt(Rpm speed) {
@@ -59,6 +70,14 @@ Result<ZerothOrder> ZerothOrder::make(const CutModel& model, const std::string& 
   return ZerothOrder(std::move(lobes.value()));
 }
 
+Result<ZerothOrder> ZerothOrder::make(CutModel model, MeasuredReceptance measured, const std::string& where) {
+  if (Status ok = measured.check(where); !ok) return ok.error();
+  model.modes = placeholders(measured.highest());
+  Result<ZerothOrder> zoa = make(model, where);
+  if (zoa) zoa->measured_ = std::move(measured);
+  return zoa;
+}
+
 ZerothOrder::ZerothOrder(ExactLobes lobes) : lobes_(std::move(lobes)) {
   mean_ = lobes_.system().mean(0.0, lobes_.system().toothAngle);
   const double share = cuttingFraction(lobes_.system());
@@ -76,7 +95,8 @@ ZerothOrder::ZerothOrder(ExactLobes lobes) : lobes_(std::move(lobes)) {
 ZerothOrder::BorderPoint ZerothOrder::at(double omega, double period, int branch) const {
   BorderPoint p;
   p.omega = omega;
-  p.eigenvalue = orientedEigenvalue(lobes_.system(), mean_, omega, branch);
+  const Receptance g = measured_ ? measured_->at(Hertz(omega / kTwoPi)) : ofModes(lobes_.system(), omega);
+  p.eigenvalue = orientedEigenvalue(g, mean_, lobes_.system().axes, branch);
   if (p.eigenvalue == 0.0) return p;
   const Complex s = -1.0 / p.eigenvalue;
   if (!(s.real() > 0.0)) return p;
@@ -86,8 +106,21 @@ ZerothOrder::BorderPoint ZerothOrder::at(double omega, double period, int branch
   return p;
 }
 
+// Within the measured range: even steps that follow the delay's phase and the lines.
+std::vector<double> ZerothOrder::measuredFrequencies(double period) const {
+  constexpr double kMostLines = 2e5;
+  const double from = kTwoPi * measured_->lowest().value, to = kTwoPi * measured_->highest().value;
+  const double wanted =
+      std::max({3000.0, (to - from) * period / 0.3, 4.0 * (to - from) / (kTwoPi * measured_->step().value)});
+  const int steps = static_cast<int>(std::min(wanted, kMostLines));
+  std::vector<double> list;
+  for (int i = 0; i <= steps; ++i) list.push_back(from + (to - from) * i / steps);
+  return list;
+}
+
 // Even steps that follow the delay's phase, and close ones around every resonance.
 std::vector<double> ZerothOrder::frequencies(double period) const {
+  if (measured_) return measuredFrequencies(period);
   const RegenerativeSystem& system = lobes_.system();
   const double highest = 2.5 * system.highestOmega();
   const int steps = std::max(3000, static_cast<int>(highest * period / 0.3));

@@ -6,17 +6,21 @@
 // Constant once made: any thread; not real-time.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "core/milling/stability/exact_lobes.h"
+#include "core/milling/stability/measured_receptance.h"
 
 namespace stillcut::milling {
 
 class ZerothOrder {
  public:
   static Result<ZerothOrder> make(const CutModel& model, const std::string& where);
+  // With what was measured in place of the model's modes, which may be missing.
+  static Result<ZerothOrder> make(CutModel model, MeasuredReceptance measured, const std::string& where);
 
   // crossings holds 0 or 1 entry; `frequency` is the chatter frequency, omega/2 pi.
   // When stopped: nothing, searchedTo 0.
@@ -30,8 +34,10 @@ class ZerothOrder {
   explicit ZerothOrder(ExactLobes lobes);
   std::vector<double> frequencies(double period) const;  // [rad/s]
   BorderPoint at(double omega, double period, int branch) const;
+  std::vector<double> measuredFrequencies(double period) const;
 
   ExactLobes lobes_;
+  std::optional<MeasuredReceptance> measured_;
   Planar mean_{};
   Message warning_;
 };

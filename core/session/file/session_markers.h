@@ -1,4 +1,4 @@
-// The markers of a session: set during the cut by the writer, and afterwards by whoever listens to it again.
+// The markers of a session: set during the cut by the writer, and afterwards by whoever replays it.
 // Thread: set-up; not real-time (file access). Adding and removing takes the file for itself: an error while it is
 // still being recorded. The file goes from one state to the next as a whole, through its journal, whatever happens
 // meanwhile; nothing but the markers' table changes. Who does the work, see session_reader.h.

@@ -24,7 +24,7 @@ struct SessionHeader {
   std::string programVersion;  // "0.1.0"
   bool simulated = false;
   std::string operatorName = "operator";  // author of the markers touched during the cut
-  std::string job{};                      // what was being made; empty: not told
+  std::string job{};                      // what was being made; empty: not given
 };
 
 struct SessionWriterOptions {

@@ -264,7 +264,7 @@ TEST_F(Analyze, SaysWhatNobodyToldIt) {
   EXPECT_THAT(answer["remarks"][1].get<std::string>(), testing::HasSubstr("--speed"));
   const Outcome text = runCli(folder_ / "", {"analyze", "cut.wav"});
   EXPECT_LE(text.exitCode, 1);
-  EXPECT_THAT(text.out, testing::HasSubstr("speed not told"));
+  EXPECT_THAT(text.out, testing::HasSubstr("speed not given"));
 }
 
 TEST_F(Analyze, SettingsComeFromTheCommandLineAFileOrAProfile) {

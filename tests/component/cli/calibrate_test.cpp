@@ -92,7 +92,7 @@ TEST(Calibrate, ARecordingOfTheToneGivesTheScale) {
   EXPECT_THAT(pascal.out, HasSubstr("scale 50.11"));
   const Outcome wrong = runCli(folder / "", {"calibrate", "tone.wav", "--level", "94 dB"});
   EXPECT_EQ(wrong.exitCode, 2);
-  EXPECT_EQ(wrong.err, "stillcut-cli: calibrator: nothing is heard (is the sensor connected?)\n");
+  EXPECT_EQ(wrong.err, "stillcut-cli: calibrator: there is no signal (is the sensor connected?)\n");
 }
 
 TEST(Calibrate, TheDeviceOfAProfileIsHeardAndItsChannelSetRight) {
@@ -130,7 +130,7 @@ TEST(Calibrate, WhatIsWrongIsOneLine) {
     EXPECT_EQ(outcome.exitCode, 2) << spelled(arguments);
     return outcome.err;
   };
-  EXPECT_THAT(line({"--level", "1"}), HasSubstr("nothing to listen to"));
+  EXPECT_THAT(line({"--level", "1"}), HasSubstr("nothing to measure"));
   EXPECT_THAT(line({"tone.wav", "--level", "much"}), HasSubstr("'much' is none (rms in Pa, or as \"94 dB\")"));
   EXPECT_THAT(line({"tone.wav", "--level", "1", "--save"}), HasSubstr("--save: needs --profile"));
   EXPECT_THAT(line({"tone.wav", "--level", "1", "--channel", "4"}), HasSubstr("4"));

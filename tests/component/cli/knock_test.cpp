@@ -36,7 +36,7 @@ TEST(Knock, TellsExchangedAxesFromRightOnes) {
   folder.file("exchanged.csv", knocksOf("y", "x"));
   const Outcome right = runCli(folder / "", {"knock", "right.csv"});
   EXPECT_EQ(right.exitCode, 0) << right.err;
-  EXPECT_THAT(right.out, HasSubstr("3 knocks along x: 'x' heard most, 14."));
+  EXPECT_THAT(right.out, HasSubstr("3 knocks along x: 'x' measured most, 14."));
   EXPECT_THAT(right.out, HasSubstr("it is right"));
   const Outcome exchanged = runCli(folder / "", {"knock", "exchanged.csv", "--along", "1"});
   EXPECT_EQ(exchanged.exitCode, 0) << exchanged.err;
@@ -53,7 +53,7 @@ TEST(Knock, WhatIsWrongIsOneLine) {
     EXPECT_EQ(outcome.exitCode, 2) << spelled(more);
     return outcome.err;
   };
-  EXPECT_THAT(line({}), HasSubstr("nothing to listen to"));
+  EXPECT_THAT(line({}), HasSubstr("nothing to measure"));
   EXPECT_THAT(line({"knocks.csv", "--save"}), HasSubstr("--save: needs --profile"));
   EXPECT_THAT(line({"knocks.csv", "--along", "2"}), HasSubstr("knocks.csv: has no channel 2 (it has 0 to 1)"));
   EXPECT_THAT(line({"unnamed.csv"}), HasSubstr("has no axis"));

@@ -119,6 +119,8 @@ def lay_out(top, programs, folder):
     write(folder, "tap.txt", tap())
     for number, peak in enumerate((120.0, 140.0, 110.0), start=1):
         write(folder, f"hit{number}.csv", hit(peak))
+    write(folder, "frf-x.csv", tap())
+    write(folder, "frf-y.csv", tap(3.5e6))
     write(folder, "face.csv", tap())
     write(folder, "above.csv", tap(3.5e6))
     write(folder, "f300.csv", forces(300.0))
@@ -128,7 +130,8 @@ def lay_out(top, programs, folder):
     write(folder, "knocks.csv", knocks())
     write(folder, "mine.toml", "[energy-ratio]\nchatter = 0.3\n")
     copy("resources/scenarios/air-cut.toml", "S.toml")
-    copy("resources/manual/read_session.py", "read_session.py")
+    for example in ("read_session.py", "read_answers.py", "read_answers.m", "watch_run.py"):
+        copy("resources/manual/" + example, example)
     copy("resources/profiles/simulated.toml", "P.toml", "PROFILE.toml")
     program("simulate", "resources/scenarios/demo.toml", "--out", "cut.h5")
     program("convert", "cut.h5", "cut.wav")

@@ -203,6 +203,19 @@ TEST(Modbus, EndOfTheLinkBringsTheOverridesAndControlBack) {
   EXPECT_EQ((b.plc.words[{RegisterTable::Coil, 7}]), 0);
 }
 
+// A program of ours that died has left its overrides there; this one has ordered nothing.
+TEST(Modbus, WhatWasLeftByAProgramThatDiedIsReleased) {
+  Bench b;
+  b.plc.watched = false;
+  b.plc.holding(100) = b.plc.holding(101) = 830;
+  b.run(0.5);
+  EXPECT_EQ(b.plc.writes, 0) << "nobody has said so";
+  b.link->adopt(Ratio(1.0), Ratio(1.0));
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.plc.holding(100), 1000);
+  EXPECT_EQ(b.plc.holding(101), 1000);
+}
+
 // Another master writes the same register: read back, left alone, and brought home in the end.
 TEST(Modbus, AnotherMastersOverrideIsReadBackAndNotFoughtOver) {
   Bench b;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/cnc/grbl/grbl_status.h"
-#include "tests/support/fake_grbl.h"
+#include "tests/support/grbl/fake_grbl.h"
 
 namespace stillcut::cnc::testing {
 

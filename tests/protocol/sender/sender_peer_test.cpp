@@ -17,7 +17,7 @@
 #include "tests/protocol/commands.h"
 #include "tests/support/bounded_wait.h"
 #include "tests/support/child.h"
-#include "tests/support/pty_grbl.h"
+#include "tests/support/grbl/pty_grbl.h"
 
 namespace stillcut::cnc {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/cnc/simulated_machine.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "core/evaluate/simulation_report.h"
 #include "core/milling/simulation/scenario.h"
 #include "core/model/cut_setup.h"

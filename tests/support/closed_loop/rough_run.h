@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/cnc/simulated_machine.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "core/milling/simulation/scenario.h"
 #include "core/pipeline/link_runner.h"
 #include "core/pipeline/machine_state_source.h"

@@ -24,7 +24,7 @@ CutSetup setupOf(const record::RecordingFormat& format, int teeth, double speed)
   return setup;
 }
 
-void follow(record::RecordingReader& reader, const CutSetup& setup, AlarmCourse& course) {
+void follow(record::RecordingReader& reader, const CutSetup& setup, const Observe& observe, AlarmCourse& course) {
   auto detector = detect::makeDetector(detect::kDefaultDetector);
   if (!detector) {
     course.fault = detector.error().line();
@@ -38,7 +38,9 @@ void follow(record::RecordingReader& reader, const CutSetup& setup, AlarmCourse&
   bool before = false;
   Result<bool> more = reader.read(block);
   for (; more && *more; more = reader.read(block)) {
-    const Verdict verdict = (*detector)->process(conditioner.process(block, {}));
+    const detect::ConditionedBlock& conditioned = conditioner.process(block, {});
+    const Verdict verdict = (*detector)->process(conditioned);
+    if (observe) observe(verdict, conditioned);
     const double time = sinceEpoch(verdict.time).value;
     if (before) course.alarms.back().to = time;
     if (verdict.alarming() && !before) course.alarms.push_back({time, time});
@@ -56,10 +58,10 @@ std::string formatted(const char* format, Values... values) {
 
 }  // namespace
 
-AlarmCourse alarmCourse(record::RecordingReader& reader, int teeth, double speed) {
+AlarmCourse alarmCourse(record::RecordingReader& reader, int teeth, double speed, const Observe& observe) {
   AlarmCourse course;
   try {
-    follow(reader, setupOf(reader.format(), teeth, speed), course);
+    follow(reader, setupOf(reader.format(), teeth, speed), observe, course);
   } catch (const std::exception& e) {  // a set-up that no part can be prepared for
     course.fault = e.what();
   }

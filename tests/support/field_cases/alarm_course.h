@@ -3,9 +3,11 @@
 // Thread: one; not the sample path.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/detect/detector.h"
 #include "core/formats/recording_reader.h"
 #include "tests/support/field_cases/field_case.h"
 
@@ -20,7 +22,9 @@ struct AlarmCourse {
   std::string fault;  // what ended the reading or the set-up; empty: nothing did
 };
 
-AlarmCourse alarmCourse(record::RecordingReader& reader, int teeth, double speed);
+// observe: each verdict with the block that it is of.
+using Observe = std::function<void(const Verdict&, const detect::ConditionedBlock&)>;
+AlarmCourse alarmCourse(record::RecordingReader& reader, int teeth, double speed, const Observe& observe = {});
 
 // Where it falls short of the truth, in words; empty: it is right. Right is: no alarm before the chatter begins, in
 // alarm for nine tenths of the fully developed chatter, and in no more alarms than allowed.

@@ -112,7 +112,7 @@ TEST_P(DesktopFit, WhatCommandsStaysOnTheScreenBesideAnOpenRecording) {
       },
       60'000));
   window_->showPage(QStringLiteral("sessions"));
-  for (const char* const sheet : {"sheet-mark", "sheet-compare"}) {
+  for (const char* const sheet : {"sheet-mark", "sheet-compare", "sheet-events"}) {
     QTest::mouseClick(window_->findChild<ui::TouchButton*>(QLatin1String(sheet)), Qt::LeftButton);
     settle();
     EXPECT_EQ(window_->size(), kSmallest) << sheet << " makes the window grow";
@@ -143,7 +143,7 @@ TEST_P(DesktopFit, EveryDeviceAndEveryLinkOnSetUp) {
     press(QStringLiteral("source-") + source.id);
     keep(QStringLiteral("setup-source-") + source.id);
   }
-  for (const char* const tab : {"tools", "recording", "profile", "guide"}) {
+  for (const char* const tab : {"limits", "tools", "recording", "profile", "guide"}) {
     press(QStringLiteral("setup-") + QLatin1String(tab));
     keep(QStringLiteral("setup-") + QLatin1String(tab));
   }

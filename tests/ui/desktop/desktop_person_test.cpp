@@ -107,6 +107,7 @@ TEST_F(Person, DragsDepthAndSpeedOnTheLobesAndCancelsAComputation) {
 TEST_F(Person, TunesTheRunningCutUndoesComparesResetsAndSaves) {
   QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
   tick();
+  press("tune-expert");
   const auto inForce = [this] {
     run(0.2);
     const QStringList tuned = session_->sessions()->tunedSettings();

@@ -101,9 +101,9 @@ TEST_F(RecordedDesktop, MarksByKeyDuringTheCutAreFoundInTheFile) {
   const Instant heard = strike(Qt::Key_F8);
   ASSERT_TRUE(runUntil([](const Snapshot& s) { return s.interventionCount > 0; }))
       << "the demonstration never chattered";
-  ASSERT_TRUE(runFor(0.3));
+  // Both in so short a time that no second alarm can come between them: that one would have a word of its own.
   strike(Qt::Key_F9);
-  ASSERT_TRUE(runFor(0.3));
+  ASSERT_TRUE(runFor(0.02));
   const Instant wasFalse = strike(Qt::Key_F10);
   ASSERT_TRUE(runFor(0.2));
   ASSERT_TRUE(session_->stop().ok());

@@ -11,7 +11,7 @@
 #include "app/session/session.h"
 #include "app/session/session_view.h"
 #include "core/cnc/simulated_machine.h"
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 #include "tests/support/demo_cut.h"
 #include "ui/models/lobe_view.h"
 #include "ui/pages/analyse_page.h"

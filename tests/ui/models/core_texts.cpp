@@ -10,6 +10,7 @@
 
 #include "app/io/find_machines.h"
 #include "app/session/machine_setup.h"
+#include "app/session/tap/tap_materials.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
@@ -100,6 +101,7 @@ std::string fileText() {
   for (const char* const step : cnc::LinkTrial::kNames) lines.add("Core", step);
   for (const char* const word : cnc::LinkTrial::words()) lines.add("Core", word);
   for (const char* const word : daq::knockWords()) lines.add("Core", word);
+  for (const auto& material : app::tapMaterials()) lines.add("Core", material.name);
   for (const std::string_view what : app::foundSentences()) lines.add("Core", what);
   for (const auto& entry : cnc::linkTable()) addPart(lines, std::string(entry.id), {});
   for (const auto& entry : daq::sourceTable()) addPart(lines, {}, std::string(entry.id));

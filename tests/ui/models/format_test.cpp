@@ -57,6 +57,14 @@ TEST(Format, DurationsChangeTheirUnit) {
   EXPECT_EQ(stopwatch(Seconds(760)), "00:12:40");
 }
 
+TEST(Format, LongNamesMayBeBrokenAndReadTheSame) {
+  const QString name = QStringLiteral("Housing-7-second_operation_of_something.h5");
+  const QString broken = breakable(name);
+  EXPECT_EQ(QString(broken).remove(QChar(0x200b)), name);
+  for (const QString& part : broken.split(QChar(0x200b))) EXPECT_LE(part.size(), 16) << part.toStdString();
+  EXPECT_EQ(breakable({}), QString());
+}
+
 TEST(ReasonText, FillsNumbersAsTheScreensWriteThem) {
   const QString text = reasonText({ReasonCode::CentreOfNextPocket, {8565, 3, 1713, 8800}});
   EXPECT_TRUE(text.contains("8" + kThin + "565 rpm")) << text.toStdString();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QDateTime>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <cmath>
@@ -288,6 +289,12 @@ TEST(TimeText, ReadsClockAndSecondsAgo) {
   EXPECT_EQ(momentFrom("-12,5 s", info, newest), at(87.5));
   const QString clock = clockTime(info.wallMs(at(90)));
   EXPECT_EQ(momentFrom(clock, info, newest), at(90));
+  EXPECT_EQ(momentFrom(clock.left(5), info, newest), momentFrom(clock.left(5) + ":00", info, newest))
+      << "whoever asks what happened at 13:58 need not know the second";
+  info.wallMsAtStreamZero = QDateTime(QDate(2026, 11, 27), QTime(0, 5)).toMSecsSinceEpoch() - 100'000;
+  const auto beforeMidnight = momentFrom("23:58", info, newest);
+  ASSERT_TRUE(beforeMidnight);
+  EXPECT_NEAR(secondsBetween(*beforeMidnight, newest).value, 7 * 60.0, 1e-6);
   for (const char* wrong : {"", "12", "25:00:00", "noon", "1:2:3"})
     EXPECT_FALSE(momentFrom(wrong, info, newest)) << wrong;
 }
@@ -340,11 +347,11 @@ TEST(Lobes, PocketsAreWhereTheLimitIsDeeperThanTheCut) {
 
 TEST(Lobes, WhatIfSaysStableOrChatterWithItsMargin) {
   FakeLobes lobes;
-  EXPECT_FALSE(whatIf(nullptr, lobes.frame(), Rpm(7000), Metres(1e-3), UnitSystem::Metric).known);
+  EXPECT_FALSE(whatIf(nullptr, lobes.frame(), {Rpm(7000), Metres(1e-3)}, UnitSystem::Metric).known);
   lobes.ask({LobeMethodChoice::Exact, lobes.frame().lowest, lobes.frame().highest, 200, lobes.frame().maxAxialDepth});
   lobes.finish();
   const auto ask = [&](double rpm, double mm) {
-    return whatIf(lobes.diagram().get(), lobes.frame(), Rpm(rpm), Metres(mm * 1e-3), UnitSystem::Metric);
+    return whatIf(lobes.diagram().get(), lobes.frame(), {Rpm(rpm), Metres(mm * 1e-3)}, UnitSystem::Metric);
   };
   EXPECT_TRUE(ask(7000, 2.0).stable);
   EXPECT_TRUE(ask(7000, 2.0).verdict.contains("50"));
@@ -393,7 +400,7 @@ TEST(Lobes, WhereTheSearchEndedIsNotToldAsALimit) {
   EXPECT_EQ(table.data(limit).toString(), QStringLiteral("> 4.50\u00a0mm"));
   EXPECT_TRUE(table.data(limit, Qt::ToolTipRole).toString().contains("No limit found"));
   const auto ask = [&](double rpm, double mm) {
-    return whatIf(&diagram, frame, Rpm(rpm), Metres(mm * 1e-3), UnitSystem::Metric);
+    return whatIf(&diagram, frame, {Rpm(rpm), Metres(mm * 1e-3)}, UnitSystem::Metric);
   };
   EXPECT_TRUE(ask(13500, 4.5).stable);
   EXPECT_TRUE(ask(13500, 3.0).verdict.contains("no limit found down to"));

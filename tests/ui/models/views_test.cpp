@@ -10,25 +10,11 @@
 #include "ui/models/machine_view.h"
 #include "ui/models/severity_trend.h"
 #include "ui/models/strip_view.h"
-#include "ui/models/verdict_view.h"
 
 namespace stillcut::ui {
 namespace {
 
 const QString kThin(kThousandsSpace);
-
-Scene chatterScene(CutState state = CutState::Chatter) {
-  Scene s = stableScene();
-  Verdict& v = s.verdict();
-  v.state = state;
-  v.kind = ChatterKind::Hopf;
-  v.frequency = Hertz(1713);
-  v.frequencySd = Hertz(2);
-  v.severity = Ratio(0.62);
-  v.sinceOnset = Seconds(0.038);
-  v.feedSinceOnset = Metres(0.0012);
-  return s;
-}
 
 SpeedAdvice speedAdvice() {
   return {SpeedAdvice::Kind::Speed,
@@ -41,54 +27,6 @@ SpeedAdvice speedAdvice() {
           {ReasonCode::CentreOfNextPocket, {8565, 3, 1713, 8800}}};
 }
 
-TEST(VerdictView, EachStateHasItsOwnWordShapeAndTone) {
-  const VerdictView stable = makeVerdictView(stableScene().picture(), Trend::Unknown);
-  EXPECT_EQ(stable.word, "STABLE");
-  EXPECT_EQ(stable.shape, Shape::Circle);
-  EXPECT_EQ(stable.tone, Tone::Normal);
-  const VerdictView onset = makeVerdictView(chatterScene(CutState::Onset).picture(), Trend::Unknown);
-  EXPECT_EQ(onset.word, "ONSET");
-  EXPECT_EQ(onset.shape, Shape::Triangle);
-  EXPECT_EQ(onset.tone, Tone::Onset);
-  const VerdictView chatter = makeVerdictView(chatterScene().picture(), Trend::Growing);
-  EXPECT_EQ(chatter.word, "CHATTER");
-  EXPECT_EQ(chatter.shape, Shape::Octagon);
-  EXPECT_EQ(chatter.tone, Tone::Chatter);
-  EXPECT_TRUE(chatter.frequency.startsWith("1" + kThin + "713"));
-  EXPECT_EQ(chatter.kind, "regenerative") << "no word of theory for a machinist";
-  EXPECT_EQ(chatter.detail, "growing");
-  EXPECT_TRUE(chatter.marked.contains("1.2")) << chatter.marked.toStdString();
-}
-
-TEST(VerdictView, AnInvalidVerdictIsNeverStable) {
-  Scene s = stableScene();
-  s.verdict().valid = false;
-  s.verdict().reason = {ReasonCode::InputClipped, {}};
-  const VerdictView view = makeVerdictView(s.picture(), Trend::Unknown);
-  EXPECT_EQ(view.word, "NO VERDICT");
-  EXPECT_EQ(view.tone, Tone::Faint);
-  EXPECT_EQ(view.detail, "The sensor is at its limit");
-}
-
-TEST(VerdictView, AStalePictureSaysSoAndHowOldItIs) {
-  const Scene s = chatterScene();
-  Picture p = s.picture();
-  p.stale = true;
-  p.age = Seconds(2.3);
-  const VerdictView view = makeVerdictView(p, Trend::Growing);
-  EXPECT_EQ(view.word, "NO VERDICT");
-  EXPECT_TRUE(view.detail.contains("stale"));
-  EXPECT_TRUE(view.detail.contains("2.3"));
-  EXPECT_TRUE(view.marked.contains("CHATTER"));
-}
-
-TEST(VerdictView, BeforeTheFirstSamplesThereIsNoVerdict) {
-  const Scene s = stableScene();
-  Picture p = s.picture();
-  p.snapshot = nullptr;
-  EXPECT_EQ(makeVerdictView(p, Trend::Unknown).word, "NO VERDICT");
-}
-
 TEST(AdviceView, OpenAdviceGivesTargetDeltaReasonAndCost) {
   Scene s = chatterScene();
   s.snapshot.authority = Authority::Advise;
@@ -97,7 +35,7 @@ TEST(AdviceView, OpenAdviceGivesTargetDeltaReasonAndCost) {
   const AdviceView view = makeAdviceView(s.picture());
   EXPECT_TRUE(view.canAnswer());
   EXPECT_EQ(view.target, "8" + kThin + "565" + QChar(0xa0) + "rpm");
-  EXPECT_TRUE(view.delta.contains(QChar(0x2212) + QStringLiteral("235 rpm"))) << view.delta.toStdString();
+  EXPECT_TRUE(view.delta.contains(QChar(0x2212) + QStringLiteral("235, "))) << view.delta.toStdString();
   EXPECT_TRUE(view.delta.contains("97"));
   EXPECT_TRUE(view.feed.contains("1" + kThin + "370"));
   // 8800 / 8565 - 1 = 2.7 % more time; pi * 12 mm * 8565 / min = 323 m/min.
@@ -187,6 +125,29 @@ TEST(CommandView, WhatWasReleasedAndNotReadBackIsSaid) {
   EXPECT_EQ(makeStrip(p)[0].value, "not yet back");
   p.link.ended = "The device has gone";
   EXPECT_TRUE(makeCommandView(p).inCommand.contains("NOT YET BACK")) << "also after the last sample";
+}
+
+// Its machine has ended with the cut: nobody waits for an answer of it, and nothing is red that nobody can mend.
+TEST(CommandView, ASimulatedCutThatIsOverSaysSoQuietly) {
+  Scene s = stableScene();
+  s.info.simulatedMachine = true;
+  s.snapshot.machine.speedOverride = s.snapshot.machine.feedOverride = Ratio(0.83);
+  Picture p = s.picture();
+  p.link.notYetBack = true;
+  EXPECT_TRUE(makeCommandView(p).notYetBack) << "while it runs the machine is asked";
+  p.link.ended = "The run has ended";
+  p.mayRunAgain = true;
+  p.stale = true;
+  p.age = Seconds(49.0);
+  EXPECT_FALSE(makeCommandView(p).notYetBack);
+  EXPECT_EQ(makeCommandView(p).since, "The run has ended");
+  for (const StripItem& item : makeStrip(p)) {
+    EXPECT_NE(item.tone, Tone::Chatter) << item.label.toStdString() << ' ' << item.value.toStdString();
+    EXPECT_FALSE(item.value.contains("49")) << item.label.toStdString();
+  }
+  EXPECT_FALSE(makeMachineView(p).warning);
+  s.info.simulatedMachine = false;
+  EXPECT_TRUE(makeCommandView(p).notYetBack) << "a real machine still has them";
 }
 
 TEST(AdviceView, ACommandThatMovesNothingIsNotInForce) {

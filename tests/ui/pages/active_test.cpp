@@ -88,6 +88,7 @@ class ActivePage : public WindowTest, public testing::WithParamInterface<PageLoo
     session_.setActive(&controller_);
     open(width, height, theme);
     window_->showPage(QStringLiteral("tune"));
+    press("tune-expert");
     auto* list = find<QListView>("tune-parts");
     for (int k = 0; k < list->model()->rowCount() && !find<ActiveView>()->isVisible(); ++k) {
       list->setCurrentIndex(list->model()->index(k, 0));

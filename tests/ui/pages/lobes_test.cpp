@@ -249,10 +249,10 @@ TEST(LobeIslands, AreQuietBetweenSpeedsThatBothHaveThem) {
   EXPECT_FALSE(onIsland(diagram, Rpm(5150), Metres(2.5e-3))) << "only one side is known to be quiet";
   EXPECT_FALSE(onIsland(diagram, Rpm(5250), Metres(1.5e-3)));
   EXPECT_FALSE(onIsland(diagram, Rpm(9000), Metres(2.5e-3)));
-  const WhatIf quiet = whatIf(&diagram, {}, Rpm(5250), Metres(2.5e-3), UnitSystem::Metric);
+  const WhatIf quiet = whatIf(&diagram, {}, {Rpm(5250), Metres(2.5e-3)}, UnitSystem::Metric);
   EXPECT_TRUE(quiet.stable);
   EXPECT_TRUE(quiet.verdict.contains(QStringLiteral("island")));
-  EXPECT_FALSE(whatIf(&diagram, {}, Rpm(5250), Metres(1.5e-3), UnitSystem::Metric).stable);
+  EXPECT_FALSE(whatIf(&diagram, {}, {Rpm(5250), Metres(1.5e-3)}, UnitSystem::Metric).stable);
 }
 
 }  // namespace

@@ -30,6 +30,18 @@ TEST_F(SetupPageTest, TheDepthOfCutIsTypedInItsUnitAndKeptWithTheProfile) {
   EXPECT_NEAR(controller_.begun->depth.value, 2.54e-3, 1e-12);
 }
 
+TEST_F(SetupPageTest, ASpeedWithItsThousandsPartedIsNoThousandthOfIt) {
+  openSetup();
+  press("setup-machine");
+  for (const char* const speed : {"12,000", "12 000", "12000", "12000.0", "12'000"}) {
+    type(QStringLiteral("machine-speed"), QStringLiteral("1"));
+    type(QStringLiteral("machine-speed"), QString::fromUtf8(speed));
+    EXPECT_EQ(controller_.begun->cut.nominalSpeed, Rpm(12'000.0)) << speed;
+  }
+  type(QStringLiteral("machine-speed"), QStringLiteral("8500,5"));
+  EXPECT_EQ(controller_.begun->cut.nominalSpeed, Rpm(8500.5)) << "a decimal comma";
+}
+
 TEST_F(SetupPageTest, ADepthOutOfRangeIsRefusedInASentenceAndAnEmptyFieldMeansNotKnown) {
   openSetup();
   press("setup-machine");

@@ -118,5 +118,31 @@ TEST_F(SetupPageTest, ToolsRememberWhereTheyChattered) {
   EXPECT_TRUE(told(QStringLiteral("Chattered at")));
 }
 
+TEST_F(SetupPageTest, AFileThatHoldsNoModesIsRefusedWhereItIsChosenAndAGoodOneGoesIntoTheHistory) {
+  ToolEntry tool;
+  tool.name = QStringLiteral("T12 D12 Z4");
+  controller_.shop = {tool};
+  openSetup();
+  press("setup-tools");
+  type(QStringLiteral("tool-modes"), QStringLiteral("letter.doc"));
+  press("tool-save");
+  EXPECT_TRUE(told(QStringLiteral("letter.doc: holds no [[mode]]")));
+  EXPECT_EQ(controller_.shop[0].modes, QString());
+  type(QStringLiteral("tool-modes"), QStringLiteral("modes/T12.toml"));
+  type(QStringLiteral("tool-stick-out"), QStringLiteral("48"));
+  type(QStringLiteral("tool-slowest"), QStringLiteral("4000"));
+  type(QStringLiteral("tool-limit"), QStringLiteral("3000"));
+  press("tool-save");
+  EXPECT_TRUE(told(QStringLiteral("lies above the highest")));
+  type(QStringLiteral("tool-limit"), QStringLiteral("12000"));
+  press("tool-save");
+  const ToolEntry& kept = controller_.shop[0];
+  EXPECT_EQ(kept.modes, QStringLiteral("modes/T12.toml"));
+  EXPECT_DOUBLE_EQ(kept.stickOut_mm, 48.0);
+  EXPECT_DOUBLE_EQ(kept.lowestSpeed_rpm, 4000.0);
+  ASSERT_EQ(kept.history.size(), 1U);
+  EXPECT_TRUE(kept.history[0].what.contains(QStringLiteral("modes/T12.toml")));
+}
+
 }  // namespace
 }  // namespace stillcut::ui

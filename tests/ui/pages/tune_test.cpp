@@ -24,6 +24,7 @@ class TunePageTest : public WindowTest {
     session_.setTuning(&tuning_);
     open(width, height, theme);
     window_->showPage(QStringLiteral("tune"));
+    press("tune-expert");  // every parameter; the one control has tests of its own
     play(0.4);
   }
   // Values of `decl` that have reached the session, in order.

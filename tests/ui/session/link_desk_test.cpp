@@ -8,7 +8,7 @@
 
 #include "app/io/find_machines.h"
 #include "app/session/machine_setup.h"
-#include "tests/support/pty_grbl.h"
+#include "tests/support/grbl/pty_grbl.h"
 
 namespace stillcut::app {
 namespace {

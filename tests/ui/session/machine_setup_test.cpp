@@ -163,6 +163,34 @@ TEST(MachineSetup, MeasuredDelaysAreSavedWithTheLinkTheyAreOf) {
   EXPECT_FALSE(back->link.settings.contains("delay_ms"));
 }
 
+// A machine that the run holds is not asked a second time: some go down under it.
+TEST(MachineSetup, ALinkThatTheRunHoldsIsTestedByWhatTheRunTells) {
+  const QTemporaryDir folder;
+  MachineSetup controller;
+  controller.keepIn(folder.path());
+  config::Profile profile = simulatedMill();
+  profile.link = {"grbl", {{"device", folder.filePath(QStringLiteral("nothing-is-here")).toStdString()}}};
+  RunsLink run;
+  run.label = "GRBL";
+  run.state.valid = run.state.linkUp = true;
+  run.state.link.roundTrip = Seconds(0.0048);
+  controller.measured = [&] { return LinkDelays{profile.link, {}, {}}; };
+  controller.linkTold = [&] { return std::optional(run); };
+  controller.testLink(profile, QStringLiteral("mill"));
+  ASSERT_EQ(controller.linkTest().state, ui::LinkTest::State::Good);
+  EXPECT_EQ(controller.linkTest().steps.size(), 4U);
+  EXPECT_TRUE(controller.linkTest().steps[0].said.contains(QStringLiteral("nothing more was asked")));
+  ASSERT_TRUE(controller.save(profile, QStringLiteral("mill")).ok());
+  EXPECT_EQ(controller.load(QStringLiteral("mill"))->link.settings["delay_ms"], "4.80");
+  run.state.valid = false;
+  controller.testLink(profile, QStringLiteral("mill"));
+  EXPECT_EQ(controller.linkTest().state, ui::LinkTest::State::Bad);
+  controller.linkTold = nullptr;
+  controller.testLink(profile, QStringLiteral("mill"));
+  test::waitFor(controller, [&] { return controller.linkTest().state != ui::LinkTest::State::Runs; });
+  EXPECT_TRUE(controller.linkTest().steps[0].said.contains(QStringLiteral("cannot be opened")));
+}
+
 // A pure tone from a scenario's sensor cannot be had; that the way from desk to device and back is walked is seen in
 // what is said of it.
 TEST(MachineSetup, CalibratesAgainstTheChosenDevice) {

@@ -382,7 +382,7 @@ TEST(Lobes, AProfilesModesGiveTheLobesPageItsDiagram) {
   EXPECT_GT(frame.reachHigh, frame.reachLow);
   (*lobes)->ask({ui::LobeMethodChoice::ZerothOrder, frame.lowest, frame.highest, 40, frame.maxAxialDepth});
   EXPECT_TRUE(QTest::qWaitFor([&] { return (*lobes)->diagram() != nullptr; }, 60000));
-  EXPECT_EQ((*lobes)->diagram()->limits.size(), 40U);
+  EXPECT_GE((*lobes)->diagram()->limits.size(), 40U);  // and more, where the line bends
   profile.pitch = {170.0, 190.0};
   auto uneven = LobeWorker::ofProfile(profile, path);
   ASSERT_TRUE(uneven.ok()) << uneven.error().line();

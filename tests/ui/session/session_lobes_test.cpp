@@ -99,7 +99,7 @@ TEST_F(RecordedLobes, AProfilesModesAreFoundFromTheFolderOfItsRecordings) {
   QFile model(machine.filePath(QStringLiteral("modes.toml")));
   ASSERT_TRUE(model.open(QIODevice::WriteOnly));
   model.write(
-      "name = \"long tool\"\n[tool]\nteeth = 2\ndiameter_mm = 10.0\n[engagement]\nradial_immersion = 0.5\n"
+      "name = \"long tool\"\n[tool]\nteeth = 4\ndiameter_mm = 10.0\n[engagement]\nradial_immersion = 0.5\n"
       "side = \"up\"\n[chart]\nmax_depth_mm = 6.0\n[material]\ntangential_n_per_m2 = 6e8\n"
       "radial_n_per_m2 = 2e8\n[[mode]]\nfrequency_hz = 950.0\ndamping = 0.02\nstiffness_n_per_m = 3e6\n"
       "direction = [1.0, 0.0]\n");

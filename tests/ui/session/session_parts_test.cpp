@@ -9,6 +9,7 @@
 #include "app/session/session.h"
 #include "app/session/tool_library.h"
 #include "core/detect/caliskan/energy_ratio.h"
+#include "core/milling/stability/lobe_case.h"
 
 namespace stillcut::app {
 namespace {
@@ -24,6 +25,12 @@ TEST(ToolLibrary, ComesBackAsItWasAndNamesWhatIsWrong) {
   tool.diameter_mm = 12.0;
   tool.highestSpeed_rpm = 18000.0;
   tool.chattered = {{8800.0, 1.5, 1713.0, QStringLiteral("slot")}, {8200.0, 0.0, 0.0, {}}};
+  tool.lowestSpeed_rpm = 2000.0;
+  tool.stickOut_mm = 48.0;
+  tool.deepest_mm = 26.0;
+  tool.response = QStringLiteral("t12.csv");
+  tool.material = QStringLiteral("1045");
+  tool.history = {{QStringLiteral("2026-05-04"), QStringLiteral("modes: t12.toml")}};
   ui::ToolEntry plain;
   plain.name = QStringLiteral("T3");
   ASSERT_TRUE(saveTools({tool, plain}, path).ok());
@@ -37,6 +44,60 @@ TEST(ToolLibrary, ComesBackAsItWasAndNamesWhatIsWrong) {
   const auto wrong = loadTools(path);
   ASSERT_FALSE(wrong.ok());
   EXPECT_NE(wrong.error().line().find("teeth"), std::string::npos) << wrong.error().line();
+}
+
+TEST(ToolLibrary, AFileOfModesIsAModesFileOrAWholeCutAndNothingElse) {
+  const QTemporaryDir folder;
+  const auto file = [&](const char* name, const char* content) {
+    QFile out(folder.filePath(QLatin1String(name)));
+    EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(content);
+    return out.fileName().toStdString();
+  };
+  const char* const modes =
+      "[[mode]]\nfrequency_hz = 900.0\ndamping = 0.03\nstiffness_n_per_m = 2e7\ndirection = [1.0, 0.0]\n";
+  EXPECT_TRUE(checkModesFile(file("modes.toml", modes)).ok());
+  const Status letter = checkModesFile(file("letter.toml", "dear = \"customer\"\n"));
+  ASSERT_FALSE(letter.ok());
+  EXPECT_NE(letter.error().line().find("letter.toml"), std::string::npos) << letter.error().line();
+  EXPECT_FALSE(checkModesFile(folder.filePath(QStringLiteral("absent.toml")).toStdString()).ok());
+  EXPECT_FALSE(checkResponseFile(file("letter.csv", "Dear customer,\nthank you.\n")).ok());
+  EXPECT_TRUE(
+      checkResponseFile(file("frf.csv",
+                             "Frequency [Hz],Re [m/N],Im [m/N]\n100,1e-8,-1e-9\n101,1e-8,-2e-9\n102,2e-8,-3e-9\n"
+                             "103,2e-8,-3e-9\n104,2e-8,-3e-9\n"))
+          .ok());
+}
+
+TEST(ToolLibrary, AToolWithModesAloneGivesItsProfileAWholeCutOnceItsMaterialIsSaid) {
+  const QTemporaryDir folder;
+  const QString modes = folder.filePath(QStringLiteral("modes.toml"));
+  QFile file(modes);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("[[mode]]\nfrequency_hz = 900.0\ndamping = 0.03\nstiffness_n_per_m = 2e7\ndirection = [1.0, 0.0]\n");
+  file.close();
+  MachineSetup setup;
+  setup.keepIn(folder.path());
+  ui::ToolEntry tool;
+  tool.name = QStringLiteral("T12 D12/Z4");
+  tool.teeth = 4;
+  tool.diameter_mm = 12.0;
+  tool.modes = modes;
+  const auto without = setup.cutFile(tool);
+  ASSERT_FALSE(without);
+  EXPECT_NE(without.error().line().find("say what the tool cuts"), std::string::npos) << without.error().line();
+  tool.material = QStringLiteral("1045");
+  const auto cut = setup.cutFile(tool);
+  ASSERT_TRUE(cut) << cut.error().line();
+  const auto back = milling::loadLobeCase(cut->toStdString());
+  ASSERT_TRUE(back) << back.error().line();
+  EXPECT_EQ(back->model.tool.teeth, 4);
+  EXPECT_DOUBLE_EQ(back->model.engagement.radialImmersion, 1.0);
+  EXPECT_EQ(back->model.modes.size(), 1U);
+  tool.modes = *cut;
+  const auto whole = setup.cutFile(tool);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(*whole, *cut) << "a whole cut is taken as it is";
 }
 
 TEST(LastRun, TheNextStartKnowsTheMachineAndHowItsRunEnded) {

@@ -6,6 +6,7 @@
 
 #include "tests/ui/support/fake_session_desk.h"
 #include "tests/ui/support/fake_setup_desk.h"
+#include "tests/ui/support/fake_tap_desk.h"
 #include "tests/ui/support/fake_tuning.h"
 #include "tests/ui/support/ui_fixture.h"
 #include "ui/shell/display_panel.h"
@@ -22,6 +23,7 @@ class Keyboard : public WindowTest {
     session_.setTuning(&tuning_);
     session_.setSetup(&setup_);
     session_.setSessions(&sessions_);
+    session_.setTap(&tap_);
     sessions_.open(sessions_.entries().front().path);
     open();
     play(1.0);
@@ -57,6 +59,7 @@ class Keyboard : public WindowTest {
   FakeTuning tuning_{"fuzzy-learning"};
   FakeSetupDesk setup_;
   FakeSessionDesk sessions_;
+  FakeTapDesk tap_;
 };
 
 TEST_F(Keyboard, TabComesByEveryControlOfEveryPage) {

@@ -84,6 +84,24 @@ int pagesOf(const QByteArray& pdf) {
   return static_cast<int>(pdf.count("/Type /Page\n") + pdf.count("/Type /Page "));
 }
 
+TEST(Report, WhatTheDetectorsSayOfARecordingIsItsAnswer) {
+  SessionSummary sound;
+  sound.kind = "WAV";
+  EXPECT_TRUE(whatHappened(sound, kMetric).contains(QStringLiteral("measurements only")));
+  sound.answer = SummaryAnswer{
+      Finding::Chatter,
+      {message("chatter at %1 Hz from %2 s on", "1502", "3.3"), message("judged %1 of %2 s", "6.0", "8.0")}};
+  EXPECT_EQ(whatHappened(sound, kMetric).toStdString(), "Chatter at 1502 Hz from 3.3 s on. Judged 6.0 of 8.0 s.");
+  EXPECT_EQ(whatHappenedTone(sound), Tone::Chatter);
+  sound.answer->finding = Finding::NotJudged;
+  EXPECT_EQ(whatHappenedTone(sound), Tone::Onset) << "not judged is no all-clear";
+  SessionSummary session = example();
+  const QString recorded = whatHappened(session, kMetric);
+  session.answer = sound.answer;
+  EXPECT_TRUE(whatHappened(session, kMetric).startsWith(recorded)) << "what was recorded stays as it was";
+  EXPECT_TRUE(whatHappened(session, kMetric).contains(QStringLiteral("Judged again: Chatter at 1502 Hz")));
+}
+
 TEST(Report, IsAPdfThatGrowsWithWhatHappened) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("cut.pdf"));

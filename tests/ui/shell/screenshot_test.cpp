@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "tests/ui/support/fake_active_desk.h"
+#include "tests/ui/support/fake_file_desk.h"
 #include "tests/ui/support/fake_session_desk.h"
 #include "tests/ui/support/fake_setup_desk.h"
+#include "tests/ui/support/fake_tap_desk.h"
 #include "tests/ui/support/fake_tuning.h"
 #include "tests/ui/support/page_picture.h"
 #include "tests/ui/support/ui_fixture.h"
@@ -185,6 +187,8 @@ class EveryPage : public WindowTest, public testing::WithParamInterface<Edition>
     session_.setTuning(&tuning_);
     session_.setSetup(&setup_);
     session_.setSessions(&sessions_);
+    session_.setTap(&tap_);
+    session_.setFiles(&files_);
   }
   void chooseRow(const char* list, int row) const {
     auto* view = find<QListView>(QLatin1String(list));
@@ -195,6 +199,8 @@ class EveryPage : public WindowTest, public testing::WithParamInterface<Edition>
   FakeTuning tuning_{"fuzzy-learning"};
   FakeSetupDesk setup_;
   FakeSessionDesk sessions_;
+  FakeTapDesk tap_;
+  FakeFileDesk files_;
   FakeActiveDesk table_;
 };
 
@@ -231,10 +237,13 @@ TEST_P(EveryPage, EveryPartOfAPageFits) {
   keep("setup-tools");
   press("setup-recording");
   keep("setup-recording");
+  press("setup-limits");
+  keep("setup-limits");
   press("setup-profile");
   press("profile-try");
   keep("setup-profile");
   window_->showPage(QStringLiteral("tune"));
+  press("tune-expert");
   for (int row = 0; !find<RuleGrid>("rules")->isVisible(); ++row) chooseRow("tune-parts", row);
   QCoreApplication::processEvents();  // the rows have their places now
   find<QScrollArea>("tune-rows")->ensureWidgetVisible(find<RuleGrid>("rules"), 0, 60);
@@ -244,6 +253,26 @@ TEST_P(EveryPage, EveryPartOfAPageFits) {
   keep("sessions-open");
   press("sheet-compare");
   keep("sessions-compare");
+  press("sheet-events");
+  keep("sessions-events");
+  window_->showPage(QStringLiteral("tap"));
+  press("tap-find-modes");
+  keep("tap-modes");
+  press("tap-keep");
+  keep("tap-kept");
+  press("tap-speeds");
+  keep("tap-speed");
+  files_.toldByFile = {4, Rpm(9504.0)};
+  files_.found.speed_rpm = {9504.0, 3.0, {4752.0, 19'008.0}};
+  files_.recorded = FileTrack{QStringLiteral("Recorded"), {{Seconds(4.0), Seconds(8.0), CutState::Chatter, true}}};
+  window_->openFile(QStringLiteral("/rec/Housing, second side, 12 mm end mill, slot.m4a"));
+  play(0.2);
+  files_.finish();
+  keep("file-open");
+  press("file-log");
+  files_.open(FileController::Beside, QStringLiteral("/rec/before.wav"));
+  keep("file-beside");
+  window_->showPage(QStringLiteral("sessions"));
   QTest::keyClick(window_.get(), Qt::Key_F1);
   keep("manual");
   QTest::keyClick(window_.get(), Qt::Key_F1);
@@ -263,6 +292,7 @@ TEST_P(EveryPage, EveryStateAndChoiceFits) {
   while (session_.snapshot().verdicts[0].state != CutState::Onset) play(0.04);
   keep("operate-onset");
   window_->showPage(QStringLiteral("tune"));
+  press("tune-expert");
   const int parts = find<QListView>("tune-parts")->model()->rowCount();
   for (int row = 0; row < parts && !find<ActiveView>()->isVisible(); ++row) chooseRow("tune-parts", row);
   EXPECT_TRUE(find<ActiveView>()->isVisible());
@@ -270,6 +300,9 @@ TEST_P(EveryPage, EveryStateAndChoiceFits) {
   window_->showPage(QStringLiteral("analyse"));
   press("order");
   keep("analyse-orders");
+  press("events");
+  keep("analyse-events");
+  press("events");
   press("waterfall");
   keep("analyse-waterfall");
   press("display");

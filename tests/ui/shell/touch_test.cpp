@@ -186,6 +186,7 @@ TEST_F(Touch, OnARecordingOneFingerSelectsAndTwoZoomAndMove) {
 TEST_F(Touch, ALongPageMovesUnderAFingerAndLeavesAloneWhatItBeganOn) {
   open();
   window_->showPage(QStringLiteral("tune"));
+  press("tune-expert");
   play(0.4);
   QCoreApplication::processEvents();  // rows that were made a moment ago have their places now
   auto* area = find<QScrollArea>("tune-rows");
@@ -216,6 +217,7 @@ TEST_F(Touch, ALongPageMovesUnderAFingerAndLeavesAloneWhatItBeganOn) {
 TEST_F(Touch, ListsMoveUnderAFingerAndATapChooses) {
   open();
   window_->showPage(QStringLiteral("tune"));
+  press("tune-expert");
   play(0.4);
   auto* list = find<QListView>("tune-parts");
   constexpr int kFew = 260;  // pixels: more methods than that
@@ -238,6 +240,7 @@ TEST_F(Touch, ListsMoveUnderAFingerAndATapChooses) {
 TEST_F(Touch, SidesAAndBAreInReachOfAGlove) {
   open();
   window_->showPage(QStringLiteral("tune"));
+  press("tune-expert");
   play(0.4);
   const int least = pixelsFor(kTouchMm, window_.get());
   for (const char* const name : {"tune-b", "tune-a"}) {
@@ -285,12 +288,13 @@ TEST_F(Touch, TargetsOfSheetsAreTwelveMillimetresAndThreeApart) {
     play(0.3);
     expectApart(*window_, button);
   };
-  for (const char* const tab :
-       {"setup-guide", "setup-machine", "setup-sensors", "setup-tools", "setup-recording", "setup-profile"}) {
+  for (const char* const tab : {"setup-guide", "setup-machine", "setup-limits", "setup-sensors", "setup-tools",
+                                "setup-recording", "setup-profile"}) {
     sheet("setup", tab);
   }
-  for (const char* const below : {"sheet-mark", "sheet-compare"}) sheet("sessions", below);
+  for (const char* const below : {"sheet-mark", "sheet-compare", "sheet-events"}) sheet("sessions", below);
   window_->showPage(QStringLiteral("tune"));
+  press("tune-expert");
   play(0.3);
   expectApart(*window_, "tune");
 }

@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLineEdit>
+#include <QListView>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -13,7 +14,9 @@
 #include "tests/support/reason_codes.h"
 #include "tests/ui/support/fake_setup_desk.h"
 #include "tests/ui/support/page_picture.h"
+#include "ui/base/format.h"
 #include "ui/base/reason_text.h"
+#include "ui/shell/display_panel.h"
 #include "ui/shell/header_bar.h"
 #include "ui/shell/manual_panel.h"
 #include "ui/shell/page_table.h"
@@ -151,6 +154,39 @@ TEST_F(WindowTest, ThemePageAndSizeOutliveARestart) {
   EXPECT_EQ(next.look().theme, changed);
   EXPECT_EQ(next.currentPage(), last);
   EXPECT_EQ(next.size(), QSize(1300, 810));
+}
+
+TEST_F(WindowTest, TextHasThreeSizesThatOutliveARestart) {
+  const QTemporaryDir folder;
+  session_.keepStateIn(folder.path());
+  open();
+  window_->showPage(QStringLiteral("sessions"));
+  play(0.2);
+  const auto sizes = [this] {
+    std::vector<int> pixels;
+    for (const QListView* list : window_->findChildren<QListView*>()) {
+      if (list->objectName() == QStringLiteral("session-list")) pixels.push_back(list->font().pixelSize());
+    }
+    return pixels;
+  };
+  const int verdict = makeTheme(ThemeKind::Light, 1.0, TextSize::Largest).font(type_size::kVerdict).pixelSize();
+  EXPECT_EQ(verdict, makeTheme(ThemeKind::Light, 1.0).font(type_size::kVerdict).pixelSize())
+      << "what is read from far has its place";
+  const std::vector<int> normal = sizes();
+  ASSERT_FALSE(normal.empty());
+  QTest::keyClick(window_.get(), Qt::Key_F11);
+  press("text-1");
+  QCoreApplication::processEvents();
+  const std::vector<int> large = sizes();
+  press("text-2");
+  QCoreApplication::processEvents();
+  const std::vector<int> largest = sizes();
+  EXPECT_LT(normal.front(), large.front());
+  EXPECT_LT(large.front(), largest.front());
+  window_.reset();
+
+  const MainWindow next(session_);
+  EXPECT_EQ(next.look().text, TextSize::Largest);
 }
 
 TEST_F(WindowTest, LanguageAndUnitsAreChosenByTouchAndOutliveARestart) {
@@ -295,6 +331,27 @@ TEST_F(WindowTest, ClosingTellsTheSessionOnce) {
   const QSignalSpy closed(window_.get(), &MainWindow::closed);
   window_->close();
   EXPECT_EQ(closed.count(), 1);
+}
+
+TEST_F(WindowTest, HelpIsReachedByTouchAndTheWindowHasASign) {
+  open();
+  press("display");
+  press("help");
+  tick(40);
+  EXPECT_TRUE(find<ManualPanel>()->isVisible());
+  EXPECT_FALSE(find<DisplayPanel>()->isVisible());
+  EXPECT_FALSE(window_->windowIcon().isNull());
+}
+
+TEST_F(WindowTest, InGermanNumbersHaveACommaAndSpeedsAreByTheMinute) {
+  EXPECT_EQ(number(0.62, 2), QStringLiteral("0.62"));
+  open(1280, 800, ThemeKind::Light, Language::German);
+  EXPECT_EQ(number(0.62, 2), QStringLiteral("0,62"));
+  EXPECT_EQ(significant(3.14), QStringLiteral("3,1"));
+  EXPECT_EQ(number(8800), QStringLiteral("8") + kThousandsSpace + QStringLiteral("800"));
+  EXPECT_EQ(rpmUnit(), QStringLiteral("1/min"));
+  window_.reset();
+  EXPECT_EQ(number(0.62, 2), QStringLiteral("0.62"));
 }
 
 }  // namespace

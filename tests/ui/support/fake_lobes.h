@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <utility>
 
-#include "ui/facade/lobe_service.h"
+#include "ui/facade/learned_lobes.h"
 
 namespace stillcut::ui {
 
@@ -33,6 +35,11 @@ class FakeLobes final : public LobeService {
   LobeProgress progress() const override { return progress_; }
   std::shared_ptr<const LobeDiagram> diagram() const override { return diagram_; }
 
+  void learn() override { ++timesLearned_; }
+  std::shared_ptr<const LearnedLobes> learned() const override { return learned_; }
+  void setLearned(LearnedLobes learned) { learned_ = std::make_shared<const LearnedLobes>(std::move(learned)); }
+  int timesLearned() const { return timesLearned_; }
+
   const std::optional<LobeQuestion>& asked() const { return asked_; }
   LobeFrame& mutableFrame() { return frame_; }
   // 1 mm between pockets 3 mm deep, 2500 rpm apart.
@@ -55,6 +62,8 @@ class FakeLobes final : public LobeService {
   std::shared_ptr<const LobeDiagram> diagram_;
   std::optional<LobeQuestion> asked_;
   std::uint32_t answers_ = 0;
+  std::shared_ptr<const LearnedLobes> learned_;
+  int timesLearned_ = 0;
 };
 
 }  // namespace stillcut::ui

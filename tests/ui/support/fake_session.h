@@ -2,6 +2,7 @@
 // speed is moved (by Accept under Advise, by itself under Auto); then it dies down. Time passes only in advance().
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <random>
 #include <utility>
@@ -27,6 +28,18 @@ class FakeSession final : public SessionFacade {
   void readSignal(const std::function<void(const SampleBlock&)>& sink) override;
   void showChannel(int channel) override { channel_ = channel; }
   LobeService* lobes() override { return replay_ ? replayLobes_ : lobesKnown_ ? &lobes_ : nullptr; }
+  LobeEntryController* lobeEntry() override { return lobeEntry_; }
+  void setLobeEntry(LobeEntryController* entry) { lobeEntry_ = entry; }
+  double vibrationWithout(Instant) override { return without_; }
+  void setVibrationWithout(double rms) { without_ = rms; }
+  bool mayRunAgain() const override { return mayRunAgain_; }
+  Status runAgain() override {
+    ++runsAgain_;
+    return runAgainAnswer_;
+  }
+  void answerRunAgain(Status status) { runAgainAnswer_ = std::move(status); }
+  void setMayRunAgain(bool may) { mayRunAgain_ = may; }
+  int runsAgain() const { return runsAgain_; }
   bool replayStands() const override { return replay_ && stands_; }
   QString stateFolder() const override { return stateFolder_; }
   Tuning* tuning() override { return tuning_; }
@@ -36,8 +49,13 @@ class FakeSession final : public SessionFacade {
   void setActive(ActiveController* controller) { active_ = controller; }
   SetupController* setup() override { return setup_; }
   void setSetup(SetupController* controller) { setup_ = controller; }
+  TapController* tap() override { return tap_; }
+  void setTap(TapController* controller) { tap_ = controller; }
   SessionController* sessions() override { return sessions_; }
   void setSessions(SessionController* controller) { sessions_ = controller; }
+
+  FileController* files() override { return files_; }
+  void setFiles(FileController* controller) { files_ = controller; }
 
   void keepStateIn(const QString& folder) { stateFolder_ = folder; }
   FakeLobes& fakeLobes() { return lobes_; }
@@ -50,8 +68,8 @@ class FakeSession final : public SessionFacade {
   // Samples and spectra of the next `s` seconds never arrive.
   void lose(Seconds s) { lost_ = s; }
   // In the place of the story, as it is now; nothing: the story again.
-  void showReplay(std::optional<Snapshot> replay) {
-    replay_ = std::move(replay);
+  void showReplay(const std::optional<Snapshot>& replay) {
+    replay_ = replay;
     ++generation_;
   }
   // As if something else had been opened, with another machine.
@@ -91,6 +109,11 @@ class FakeSession final : public SessionFacade {
   FakeLobes lobes_;
   bool lobesKnown_ = true;
   LobeService* replayLobes_ = nullptr;
+  LobeEntryController* lobeEntry_ = nullptr;
+  double without_ = std::numeric_limits<double>::quiet_NaN();
+  bool mayRunAgain_ = false;
+  int runsAgain_ = 0;
+  Status runAgainAnswer_ = Done{};
   bool stands_ = false;
   int channel_ = 0;
   Seconds lost_{};
@@ -99,6 +122,8 @@ class FakeSession final : public SessionFacade {
   ActiveController* active_ = nullptr;
   SessionController* sessions_ = nullptr;
   SetupController* setup_ = nullptr;
+  TapController* tap_ = nullptr;
+  FileController* files_ = nullptr;
   std::uint32_t generation_ = 0;
   std::vector<OperatorInput> sent_;
   std::vector<std::uint32_t> seen_;

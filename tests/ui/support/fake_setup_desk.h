@@ -73,6 +73,10 @@ class FakeSetupDesk final : public SetupController {
   config::Profile draft() const override { return {}; }
   void keepDraft(const config::Profile& profile) override { begun = profile; }
   std::optional<config::Profile> keptDraft() const override { return begun; }
+  void lookForDevices() override { ++lookedForDevices; }
+  const std::vector<FoundDevice>& devicesHere() const override { return pluggedIn; }
+  std::vector<FoundDevice> pluggedIn;
+  int lookedForDevices = 0;
   void listen(const config::Profile& profile, const QString&) override {
     listenedTo = QString::fromStdString(profile.source.id);
     ears.state = DevicePreview::State::Opening;
@@ -127,6 +131,11 @@ class FakeSetupDesk final : public SetupController {
     return Done{};
   }
   Result<std::vector<ToolEntry>> tools() const override { return shop; }
+  Result<QString> cutFile(const ToolEntry& tool) override { return tool.modes; }
+  Status checkToolFile(const QString& file, ToolFile) const override {
+    if (!file.endsWith(QStringLiteral(".doc"))) return Done{};
+    return Error{file.toStdString(), message("holds no [[mode]]")};
+  }
   Status saveTools(const std::vector<ToolEntry>& tools) override {
     shop = tools;
     return Done{};

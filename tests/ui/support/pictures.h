@@ -43,4 +43,18 @@ inline Scene stableScene() {
   return s;
 }
 
+// Regenerative chatter at 1713 Hz in it.
+inline Scene chatterScene(CutState state = CutState::Chatter) {
+  Scene s = stableScene();
+  Verdict& v = s.verdict();
+  v.state = state;
+  v.kind = ChatterKind::Hopf;
+  v.frequency = Hertz(1713);
+  v.frequencySd = Hertz(2);
+  v.severity = Ratio(0.62);
+  v.sinceOnset = Seconds(0.038);
+  v.feedSinceOnset = Metres(0.0012);
+  return s;
+}
+
 }  // namespace stillcut::ui

@@ -237,7 +237,7 @@ TEST(SharedOverride, WhatWasOnItsWayWhenAHandTurnedGoesHomeToTheHand) {
 
 // A report without a checksum: one flipped bit is no hand.
 TEST(SharedOverride, AForeignValueReadOnceIsDoubtedAndNothingIsSentMeanwhile) {
-  SharedOverride knob(10, 200, {.sightings = 2, .inOrder = false});
+  SharedOverride knob(10, 200, {.sightings = 2, .lateAfterHand = false, .inOrder = false});
   knob.seen(100, at(0.0));
   knob.want(Ratio(0.83), 1);
   knob.sent(83, at(0.1));
@@ -259,7 +259,7 @@ TEST(SharedOverride, AForeignValueReadOnceIsDoubtedAndNothingIsSentMeanwhile) {
 }
 
 TEST(SharedOverride, AHandThatGivesWayToWhatWeSentWasALie) {
-  SharedOverride knob(10, 200, {.sightings = 2, .inOrder = false});
+  SharedOverride knob(10, 200, {.sightings = 2, .lateAfterHand = false, .inOrder = false});
   knob.seen(100, at(0.0));
   knob.want(Ratio(0.83), 1);
   knob.sent(83, at(0.1));
@@ -322,7 +322,8 @@ TEST(SharedOverride, InTheEndTheRegisterIsTheOperators) {
 // Where nothing came for a while nothing could show: what shows then and was sent before is still ours.
 TEST(SharedOverride, WhatShowsAfterASilenceIsNoHand) {
   for (const bool silent : {false, true}) {
-    SharedOverride knob(10, 200, {.sightings = 2, .inOrder = false, .latestEcho = std::chrono::seconds(1)});
+    SharedOverride knob(
+        10, 200, {.sightings = 2, .lateAfterHand = false, .inOrder = false, .latestEcho = std::chrono::seconds(1)});
     const auto at = [](double t) { return Instant{} + toDuration(Seconds(10.0 + t)); };
     knob.seen(100, at(0.0));
     knob.want(Ratio(0.94), 1);
@@ -334,6 +335,19 @@ TEST(SharedOverride, WhatShowsAfterASilenceIsNoHand) {
     EXPECT_NEAR(knob.base().value, silent ? 1.0 : 0.94, 1e-9);
     EXPECT_EQ(knob.target(), silent ? 100 : 94);
   }
+}
+
+// Found by the random sequences: while the hand was doubted nothing had been sent, and its number was taken for ours.
+TEST(SharedOverride, AHandThatChoosesTheNumberThatWeWantAndHaveNotSentIsAHand) {
+  SharedOverride knob(50, 120, {.sightings = 2});
+  Instant now = instantFromNs(1'000'000'000);
+  knob.seen(100, now);
+  knob.want(Ratio(1.02), 1);
+  for (int i = 0; i < 2; ++i) knob.seen(102, now += std::chrono::milliseconds(20));
+  EXPECT_TRUE(knob.grabbed());
+  EXPECT_DOUBLE_EQ(knob.base().value, 1.02);
+  knob.relinquish();
+  EXPECT_FALSE(knob.due().has_value());
 }
 
 }  // namespace

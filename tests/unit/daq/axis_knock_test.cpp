@@ -55,7 +55,7 @@ TEST(AxisKnock, TheSensorThatMovesFirstLiesAlongTheBlow) {
   ASSERT_TRUE(heard.ok()) << heard.error().line();
   EXPECT_EQ(heard->knocks, 4);
   EXPECT_EQ(heard->loudest, 0U);
-  EXPECT_NE(text(knockSentence(*heard, channels)).find("4 knocks along x: 'front' heard most"), std::string::npos);
+  EXPECT_NE(text(knockSentence(*heard, channels)).find("4 knocks along x: 'front' measured most"), std::string::npos);
   std::vector<ChannelInfo> now = channels;
   applyKnocks(*heard, now);
   EXPECT_EQ(now[0].axis, "x");
@@ -85,7 +85,7 @@ TEST(AxisKnock, WhatAnInputMakesOfAUnitDoesNotCount) {
 }
 
 TEST(AxisKnock, SaysWhyItCannotTell) {
-  EXPECT_NE(lineOf(knocks(0, 0.1), named("x", "y")).find("none was heard"), std::string::npos);
+  EXPECT_NE(lineOf(knocks(0, 0.1), named("x", "y")).find("none was measured"), std::string::npos);
   EXPECT_NE(lineOf(knocks(3, 0.9), named("x", "y")).find("of each other"), std::string::npos);
   EXPECT_NE(lineOf(knocks(1, 0.1, 0.01, 1.0), named("x", "y")).find("too short"), std::string::npos);
   EXPECT_NE(lineOf(knocks(3, 0.1), named("", "y")).find("has no axis"), std::string::npos);

@@ -57,10 +57,11 @@ TEST(Calibrator, SamplesThatAllMissTheTopAreNoLimit) {
 
 TEST(Calibrator, SaysWhatIsWrong) {
   EXPECT_EQ(lineOf(heard(0.02, 1000.0, 0.0, 0.0, 1.5)), "calibrator: too short (two seconds of the tone are needed)");
-  EXPECT_EQ(lineOf(std::vector<float>(80000, 0.25F)), "calibrator: nothing is heard (is the sensor connected?)");
+  EXPECT_EQ(lineOf(std::vector<float>(80000, 0.25F)), "calibrator: there is no signal (is the sensor connected?)");
   EXPECT_NE(lineOf(heard(0.02, 250.0)).find("is a tone near 1000 Hz"), std::string::npos);
   EXPECT_NE(lineOf(heard(0.02, 1000.0, 0.02)).find("only 50"), std::string::npos);
-  EXPECT_NE(lineOf(heard(0.02, 1000.0), {Hertz(12500.0), 1.0}).find("cannot be heard at 2.56e+04"), std::string::npos);
+  EXPECT_NE(lineOf(heard(0.02, 1000.0), {Hertz(12500.0), 1.0}).find("cannot be measured at 2.56e+04"),
+            std::string::npos);
   EXPECT_NE(lineOf(heard(0.02, 1000.0), {Hertz(1000.0), 0.0}).find("above zero"), std::string::npos);
 }
 

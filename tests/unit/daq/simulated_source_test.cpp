@@ -1,4 +1,4 @@
-#include "core/daq/simulated_source.h"
+#include "core/daq/simulated/simulated_source.h"
 
 #include <gtest/gtest.h>
 

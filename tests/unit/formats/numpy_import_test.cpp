@@ -1,7 +1,6 @@
 // What NumPy saves, as recordings; and files of formats that are known and not read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <bit>
 #include <cmath>
@@ -9,17 +8,12 @@
 
 #include "tests/support/read_all.h"
 #include "tests/support/temp_folder.h"
+#include "tests/support/zip_archive.h"
 
 namespace stillcut::record {
 namespace {
 
 using testing::HasSubstr;
-
-std::string word(std::uint64_t value, int bytes) {
-  std::string text;
-  for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 0xffU);
-  return text;
-}
 
 template <class T>
 std::string raw(const std::vector<T>& values, bool swapped = false) {
@@ -37,34 +31,6 @@ std::string npy(const std::string& type, const std::string& shape, const std::st
   const std::string header =
       "{'descr': '" + type + "', 'fortran_order': " + (fortran ? "True" : "False") + ", 'shape': " + shape + ", }\n";
   return std::string("\x93NUMPY\x01\x00", 8) + word(header.size(), 2) + header + bytes;
-}
-
-// A ZIP archive of `files`, each deflated or as it is.
-std::string zip(const std::vector<std::pair<std::string, std::string>>& files, bool deflated) {
-  std::string body;
-  std::string directory;
-  for (const auto& [name, content] : files) {
-    std::string packed = content;
-    if (deflated) {
-      z_stream stream{};
-      deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-      packed.resize(deflateBound(&stream, content.size()));
-      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
-      stream.avail_in = static_cast<uInt>(content.size());
-      stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-      stream.avail_out = static_cast<uInt>(packed.size());
-      EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-      packed.resize(stream.total_out);
-      deflateEnd(&stream);
-    }
-    const std::string common = word(deflated ? 8 : 0, 2) + word(0, 4) + word(0, 4) + word(packed.size(), 4) +
-                               word(content.size(), 4) + word(name.size(), 2) + word(0, 2);
-    directory += "PK\x01\x02" + word(20, 2) + word(20, 2) + word(0, 2) + common + word(0, 2) + word(0, 2) + word(0, 2) +
-                 word(0, 4) + word(body.size(), 4) + name;
-    body += "PK\x03\x04" + word(20, 2) + word(0, 2) + common + name + packed;
-  }
-  return body + directory + "PK\x05\x06" + word(0, 4) + word(files.size(), 2) + word(files.size(), 2) +
-         word(directory.size(), 4) + word(body.size(), 4) + word(0, 2);
 }
 
 // 300 frames of two channels, i and -2 i.
@@ -160,9 +126,8 @@ TEST(RefusedKinds, AreNamedWithTheWayOut) {
   const auto errorOf = [&](const std::string& content) { return readAll(folder.file("recording", content)).error; };
   EXPECT_THAT(errorOf("PAR1" + std::string(200, '\1')),
               HasSubstr("the format Parquet, which is not read (write it as CSV"));
-  EXPECT_THAT(errorOf("TDSm" + std::string(200, '\0')), HasSubstr("LabVIEW TDMS, which is not read (export it as CSV"));
-  EXPECT_THAT(errorOf(zip({{"xl/workbook.xml", "<x/>"}}, true)),
-              HasSubstr("Excel (XLSX), which is not read (save the sheet as CSV"));
+  EXPECT_THAT(errorOf("TDSh" + std::string(200, '\0')),
+              HasSubstr("LabVIEW TDMS index, which is not read (open the .tdms"));
   EXPECT_THAT(errorOf(zip({{"cut.wav", "RIFF"}}, false)), HasSubstr("ZIP, which is not read (unpack it"));
   EXPECT_THAT(errorOf(std::string("\x1F\x8B\x08\x00", 4) + std::string(60, '\2')), HasSubstr("gzip"));
 }

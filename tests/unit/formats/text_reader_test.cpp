@@ -275,14 +275,6 @@ TEST_F(TextRecording, NamesInQuotesMayHoldTheDelimiter) {
               HasSubstr(":1: names 3 columns where the rows have 2"));
 }
 
-TEST_F(TextRecording, WhatCannotBeReadSaysWhatItIs) {
-  EXPECT_THAT(refusal(std::string_view("\xFF\xFEt\0,\0a\0\n\0", 10)), HasSubstr("is text in UTF-16"));
-  EXPECT_THAT(refusal("LabVIEW Measurement\t\nX_Columns\tOne\t\n***End_of_Header***\t\nDelta_X\t0.001\t\n"
-                      "***End_of_Header***\t\nX_Value\tAx\tComment\n0\t1\n0.001\t2\n0.002\t3\n\n"
-                      "Channels\t1\t\n***End_of_Header***\t\nX_Value\tAx\tComment\n0\t1\n"),
-              HasSubstr(":11: a second segment"));
-}
-
 TEST_F(TextRecording, EveryKindOfBadInputGivesOneLineWithItsPlace) {
   const std::string good = "t,a\n0,1\n1,2\n2,3\n";
   EXPECT_THAT(refusal(""), HasSubstr("empty"));

@@ -316,5 +316,25 @@ TEST_F(TextTable, ATableWithoutAHeaderThatCountsItsRowsNeedsARate) {
   expectWhole(counted, rate(10000.0));
 }
 
+// 2026-11-25 08:59:59 UTC.
+TEST_F(TextTable, TheTimeOfDayOfTheFirstRowIsKeptWhereItIsSaid) {
+  constexpr std::int64_t kBegun = 1'795'597'199'000'000'000;
+  const auto rows = [](const std::function<std::string(int)>& time) {
+    return [time](int i) { return time(i) + "," + both(i); };
+  };
+  const auto stamped = [](const char* zone) {
+    return [zone](int i) { return format("2026-11-25T08:59:59.%04.0f", i) + zone; };
+  };
+  EXPECT_EQ(open(table("time,ax,ay\n", rows(stamped("Z"))))->format().started_ns, kBegun);
+  EXPECT_EQ(open(table("time,ax,ay\n", rows(stamped("+01:00"))))->format().started_ns, kBegun - 3'600'000'000'000);
+  EXPECT_EQ(open(table("time,ax,ay\n", rows([](int i) { return std::to_string(1'795'597'199'000'000 + 100 * i); })))
+                ->format()
+                .started_ns,
+            kBegun);
+  EXPECT_EQ(open(table("t (s),ax,ay\n", rows([](int i) { return format("%.4f", 1e-4 * i); })))->format().started_ns, 0);
+  EXPECT_EQ(open(table("time,ax,ay\n", rows([](int i) { return format("08:59:59.%04.0f", i); })))->format().started_ns,
+            0);
+}
+
 }  // namespace
 }  // namespace stillcut::record

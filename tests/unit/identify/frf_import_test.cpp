@@ -219,6 +219,35 @@ TEST_F(FrfImport, ComplexVectorsOfMatlabFilesAreResponses) {
   expectRight(importMeasurement(path, options()));
 }
 
+TEST_F(FrfImport, AStructOfAMatlabFileIsLookedInto) {
+  const std::string path = folder_ / "struct.mat";
+  mat_t* mat = Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5);
+  ASSERT_NE(mat, nullptr);
+  std::vector<double> f, re, im;
+  for (int i = 0; i <= 200; ++i) {
+    f.push_back(5.0 * i);
+    re.push_back(1e3 * compliance(5.0 * i).real());
+    im.push_back(1e3 * compliance(5.0 * i).imag());
+  }
+  std::size_t dims[2] = {f.size(), 1}, one[2] = {1, 1}, unitDims[2] = {1, 4};
+  mat_complex_split_t split{re.data(), im.data()};
+  std::string unit = "mm/N";
+  const char* names[] = {"f", "H", "H_unit"};
+  matvar_t* inner = Mat_VarCreateStruct("frf", 2, one, names, 3);
+  Mat_VarSetStructFieldByName(inner, "f", 0, Mat_VarCreate("f", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims, f.data(), 0));
+  Mat_VarSetStructFieldByName(inner, "H", 0,
+                              Mat_VarCreate("H", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims, &split, MAT_F_COMPLEX));
+  Mat_VarSetStructFieldByName(inner, "H_unit", 0,
+                              Mat_VarCreate("H_unit", MAT_C_CHAR, MAT_T_UTF8, 2, unitDims, unit.data(), 0));
+  const char* outerNames[] = {"frf"};
+  matvar_t* outer = Mat_VarCreateStruct("tap", 2, one, outerNames, 1);
+  Mat_VarSetStructFieldByName(outer, "frf", 0, inner);
+  ASSERT_EQ(Mat_VarWrite(mat, outer, MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(outer);
+  Mat_Close(mat);
+  expectRight(importMeasurement(path, options()));
+}
+
 TEST_F(FrfImport, BadFilesAreOneClearLine) {
   const auto back = import("1 1 1\n3 1 1\n2 1 1\n");
   ASSERT_FALSE(back.ok());

@@ -53,6 +53,22 @@ TEST(ModesFile, ReadsBackWhatItWrote) {
   }
 }
 
+TEST(ModesFile, ResidualsComeBackOneAnAxis) {
+  ModesFile file = twoModes();
+  file.residuals = {{{1.25e-9, -2e-10}, {3e-9, 0.0}, 1870.0, {0.0, 1.0}}};
+  ModesFile along = file;
+  along.residuals[0].direction = {1.0, 0.0};
+  const auto back = parseModes(modesFileText(joined(file, along)), "m.toml");
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  ASSERT_EQ(back->residuals.size(), 2u);
+  EXPECT_EQ(back->residuals[0].upper, file.residuals[0].upper);
+  EXPECT_EQ(back->residuals[0].lower, file.residuals[0].lower);
+  EXPECT_EQ(back->residuals[0].at, 1870.0);
+  EXPECT_EQ(back->residuals[0].direction, file.residuals[0].direction);
+  EXPECT_EQ(back->residuals[1].direction, along.residuals[0].direction);
+  EXPECT_NEAR(file.residuals[0].value(935.0).real(), 1.25e-9 - 4.0 * 3e-9, 1e-15);
+}
+
 TEST(ModesFile, AHandWrittenListIsEnough) {
   const auto got = parseModes(
       "[[mode]]\nfrequency_hz = 900\ndamping = 0.02\nstiffness_n_per_m = 1e7\ndirection = [1, 0]\n", "m.toml");

@@ -37,7 +37,8 @@ GateLimits tightLimits() {
 
 class Life {
  public:
-  explicit Life(std::uint64_t seed) : random_(seed) {
+  // A hand is believed at the first sight, or, as LinuxCNC's, at the second.
+  explicit Life(std::uint64_t seed) : random_(seed), speed_(manners(seed)), feed_(manners(seed)) {
     gate_.prepare(limits_);
     delay_ = milliseconds(0, 40);
   }
@@ -65,6 +66,7 @@ class Life {
   long sets = 0, hands = 0, undecidable = 0;
 
  private:
+  static cnc::SharedOverride::Manners manners(std::uint64_t seed) { return {.sightings = seed % 2 == 0 ? 1 : 2}; }
   bool chance(double p) { return std::uniform_real_distribution<double>(0.0, 1.0)(random_) < p; }
   int between(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
   Duration milliseconds(int low, int high) { return std::chrono::milliseconds(between(low, high)); }

@@ -164,6 +164,37 @@ TEST(Glance, TellsLengthAndMarkersAndChangesNothing) {
   EXPECT_FALSE(glanceAtSession(folder.file("torn.h5", "\x89HDF\r\n\x1a\n and no more")));
 }
 
+TEST(Glance, TellsHowOftenAndHowLongItAlarmed) {
+  const TempFolder folder;
+  const std::string path = folder / "alarms.h5";
+  auto writer = SessionWriter::create(path, exampleHeader());
+  ASSERT_TRUE(writer.ok());
+  StepRecord step = exampleStep(0);
+  step.input.block.frames = 64;
+  step.input.block.flags = 0;
+  step.input.block.rate = Hertz(25600.0);
+  for (int i = 0; i < 10; ++i) {
+    step.input.block.firstSample = instantFromNs(1'000'000'000 + i * 2'500'000);
+    step.output.eventCount = 0;
+    const auto tell = [&](ReasonCode code, double seconds) {
+      step.output.events[0] = {step.input.block.firstSample, 0, EventLevel::Info, {code, {seconds}}};
+      step.output.eventCount = 1;
+    };
+    if (i == 1) tell(ReasonCode::ChatterBegan, 1700.0);
+    if (i == 3) tell(ReasonCode::ChatterEnded, 0.004);
+    if (i == 4) tell(ReasonCode::ChatterBegan, 1700.0);
+    if (i == 5) tell(ReasonCode::ChatterLeftCut, 0.002);
+    if (i == 6) tell(ReasonCode::ChatterBegan, 1700.0);  // and goes on to the end of the recording
+    ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+  }
+  ASSERT_TRUE((*writer)->close().ok());
+  const auto glance = glanceAtSession(path);
+  ASSERT_TRUE(glance);
+  EXPECT_EQ(glance->alarms, 3);
+  EXPECT_NEAR(glance->alarmed.value, 0.004 + 0.002 + 0.010, 1e-9);
+  EXPECT_GT(glance->started_ns, 0) << "when it began, whenever the file was last changed";
+}
+
 TEST(Glance, LeavesAloneWhatIsStillWrittenOrWasCutOff) {
   const TempFolder folder;
   const std::string path = folder / "killed.h5";

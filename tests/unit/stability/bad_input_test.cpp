@@ -67,7 +67,7 @@ TEST(StabilityBadInput, AbsurdSpeedsAndDepthsAreRefusedByEveryMethod) {
 }
 
 TEST(StabilityBadInput, DiscretizationsAreRefused) {
-  EXPECT_FALSE(SemiDiscretization::make(textbookSlot(), {0, 1}, "k").ok());
+  EXPECT_FALSE(SemiDiscretization::make(textbookSlot(), {-1, 1}, "k").ok());
   EXPECT_FALSE(SemiDiscretization::make(textbookSlot(), {40, 2}, "order").ok());
   EXPECT_FALSE(SemiDiscretization::make(textbookSlot(), {1'000'000, 1}, "k").ok());
 }

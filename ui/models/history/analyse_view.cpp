@@ -7,9 +7,11 @@
 
 namespace stillcut::ui {
 
+AnalyseView::AnalyseView(QObject* parent) : QObject(parent), longest_(RunHistory::kKept) {}
+
 void AnalyseView::setOptions(const AnalyseOptions& options) {
   AnalyseOptions o = options;
-  o.span = std::clamp(o.span, kShortest, RunHistory::kKept);
+  o.span = std::clamp(o.span, kShortest, longest_);
   const double top = top_.value > 0.0 ? top_.value : 1e6;
   o.high.value = std::clamp(o.high.value, kNarrowest.value, top);
   o.low.value = std::clamp(o.low.value, 0.0, o.high.value - kNarrowest.value);
@@ -26,9 +28,23 @@ void AnalyseView::setReach(Instant first, Instant newest, Hertz top) {
   if (top_.value > 0.0 && options_.high > top_) setOptions(options_);
 }
 
+void AnalyseView::setWhole(Seconds length, Hertz top) {
+  whole_ = true;
+  first_ = Instant{};
+  newest_ = first_ + toDuration(length);
+  top_ = top;
+  longest_ = std::max(length, kShortest);
+  following_ = true;
+  options_.span = longest_;
+  options_.low = Hertz();
+  options_.high = top;
+  emit changed();
+}
+
 void AnalyseView::follow() {
   if (following_) return;
   following_ = true;
+  if (whole_) options_.span = longest_;
   emit changed();
 }
 
@@ -47,7 +63,8 @@ void AnalyseView::goTo(Instant t) {
 // At least a sliver of what there is stays on show.
 void AnalyseView::pan(Seconds by) {
   stand();
-  const Duration sliver = toDuration(options_.span * 0.1);
+  // Of a recording that is complete there is nothing beyond its ends.
+  const Duration sliver = whole_ ? toDuration(options_.span) : toDuration(options_.span * 0.1);
   const Instant earliest = first_ + sliver;
   const Instant latest = std::max(earliest, newest_ + toDuration(options_.span) - sliver);
   to_ = std::clamp(to_ + toDuration(by), earliest, latest);
@@ -56,10 +73,13 @@ void AnalyseView::pan(Seconds by) {
 
 void AnalyseView::zoomTime(double factor, Instant around) {
   if (!std::isfinite(factor) || factor <= 0.0) return;
-  const Seconds span = std::clamp(options_.span * factor, kShortest, RunHistory::kKept);
+  if (whole_) stand();
+  const Seconds span = std::clamp(options_.span * factor, kShortest, longest_);
   const double applied = span / options_.span;
   if (!following_) to_ = around + toDuration(secondsBetween(around, to_) * applied);
   options_.span = span;
+  if (whole_) to_ = std::clamp(to_, std::min(first_ + toDuration(span), newest_), newest_);
+  following_ = following_ || (whole_ && span >= longest_);
   emit changed();
 }
 
@@ -67,7 +87,7 @@ void AnalyseView::showTimes(Instant from, Instant to) {
   if (secondsBetween(from, to) < kShortest) return;
   stand();
   to_ = to;
-  options_.span = std::min(secondsBetween(from, to), RunHistory::kKept);
+  options_.span = std::min(secondsBetween(from, to), longest_);
   emit changed();
 }
 

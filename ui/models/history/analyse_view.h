@@ -20,6 +20,7 @@ struct AnalyseOptions {
   LevelScale level = LevelScale::Decibel;
   FrequencyAxis axis = FrequencyAxis::Hertz;
   bool maxHold = false;
+  bool events = false;  // what happened and the machine's numbers, in the place of spectrum and signal
   int channel = 0;
   Seconds span{10.0};
   Hertz low{}, high{5000.0};
@@ -32,7 +33,7 @@ class AnalyseView : public QObject {
   static constexpr Seconds kShortest{0.02};
   static constexpr Hertz kNarrowest{100.0};
 
-  using QObject::QObject;
+  explicit AnalyseView(QObject* parent = nullptr);
 
   const AnalyseOptions& options() const { return options_; }
   // Values out of range are brought into it.
@@ -40,6 +41,9 @@ class AnalyseView : public QObject {
 
   // What there is to see, at every tick. A picture that follows moves along.
   void setReach(Instant first, Instant newest, Hertz top);
+  // The same of a recording that is complete: all of it is shown, a picture that follows shows all, and any stretch of
+  // it can be shown at once.
+  void setWhole(Seconds length, Hertz top);
   Instant first() const { return first_; }
   Instant newest() const { return newest_; }
   Hertz top() const { return top_; }
@@ -78,6 +82,8 @@ class AnalyseView : public QObject {
   AnalyseOptions options_;
   Instant first_{}, newest_{}, to_{};
   Hertz top_{};
+  Seconds longest_;  // stretch that can be shown
+  bool whole_ = false;
   bool following_ = true;
   std::array<std::optional<Instant>, 2> cursors_;
   std::optional<Hertz> harmonic_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/judged_cut.h"
+
 namespace stillcut::ui {
 namespace {
 
@@ -33,23 +35,22 @@ void RunHistory::see(const Snapshot& snapshot) {
   tracks_.resize(static_cast<std::size_t>(std::max(snapshot.detectorCount, 0)));
   for (std::size_t d = 0; d < tracks_.size(); ++d) {
     const Verdict& v = snapshot.verdicts[d];
-    tracks_[d].push_back({snapshot.time, v.state, v.valid, static_cast<float>(v.severity.value),
+    tracks_[d].push_back({snapshot.time, v.state, hasState(v), static_cast<float>(v.severity.value),
                           static_cast<float>(v.indicators[0]), static_cast<float>(v.frequency.value), afterGap});
   }
   addPoint(snapshot);
+  log_.see(snapshot);
   forget();
 }
 
 void RunHistory::addPoint(const Snapshot& snapshot) {
   const Verdict& verdict = snapshot.verdicts[static_cast<std::size_t>(snapshot.inCharge)];
-  const bool cutting = verdict.valid && verdict.state != CutState::AirCutting;
   const MachineState& machine = snapshot.machine;
-  if (!cutting || !(machine.actualSpeed.value > 0.0)) return;
-  // Stable is said of a cut that was judged: a tool that enters or leaves, and a spindle that changes its speed, prove
-  // nothing. Chatter is chatter wherever it was heard.
+  if (!judges(verdict) || !(machine.actualSpeed.value > 0.0)) return;
+  // A spindle that changes its speed proves nothing stable. Chatter is chatter at any speed.
   const double off = std::abs(machine.actualSpeed / machine.targetSpeed() - 1.0);
-  const bool steady = verdict.phase == CutPhase::Steady && (!(machine.targetSpeed().value > 0.0) || off < kAtSpeed);
-  if (!verdict.alarming() && !steady) return;
+  const bool atSpeed = !(machine.targetSpeed().value > 0.0) || off < kAtSpeed;
+  if (!verdict.alarming() && !atSpeed) return;
   const WorkingPoint now{snapshot.time, machine.actualSpeed, verdict.state, true};
   const bool same = !points_.empty() && points_.back().state == now.state &&
                     std::abs(points_.back().speed / now.speed - 1.0) < kSpeedStep &&

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/facade/session_info.h"
+#include "ui/models/history/event_log.h"
 #include "ui/models/history/spectrum_column_reader.h"
 
 namespace stillcut::ui {
@@ -14,7 +15,7 @@ namespace stillcut::ui {
 struct TrackPoint {
   Instant time{};
   CutState state = CutState::AirCutting;
-  bool valid = false;
+  bool judged = false;     // else the state says nothing
   float severity = 0.0F;   // energy ratio, 0..1
   float indicator = 0.0F;  // its first one
   float frequency = 0.0F;  // [Hz], 0: none
@@ -43,6 +44,8 @@ class RunHistory {
   const std::vector<std::deque<TrackPoint>>& tracks() const { return tracks_; }
   // One each time the speed or the state has changed, and every half second.
   const std::deque<WorkingPoint>& points() const { return points_; }
+  // What happened, and the machine's numbers: kept for hours.
+  const EventLog& log() const { return log_; }
   Hertz spectrumTop() const { return top_; }
   bool empty() const { return columns_.empty() && tracks_.empty(); }
   Instant begin() const;
@@ -59,6 +62,7 @@ class RunHistory {
   std::deque<SpectrumColumn> columns_;
   std::vector<std::deque<TrackPoint>> tracks_;
   std::deque<WorkingPoint> points_;
+  EventLog log_;
   std::uint64_t number_ = 0;
   std::uint64_t gaps_ = 0;
   Hertz top_{};

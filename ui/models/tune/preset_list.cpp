@@ -33,6 +33,7 @@ QVariantMap toVariant(const AnalyseOptions& o) {
           {QStringLiteral("linear"), o.level == LevelScale::Linear},
           {QStringLiteral("order"), o.axis == FrequencyAxis::Order},
           {QStringLiteral("max-hold"), o.maxHold},
+          {QStringLiteral("events"), o.events},
           {QStringLiteral("channel"), o.channel},
           {QStringLiteral("span-s"), o.span.value},
           {QStringLiteral("low-hz"), o.low.value},
@@ -47,6 +48,7 @@ std::optional<AnalyseOptions> analyseOptionsFrom(const QVariantMap& map) {
   o.level = flag("linear") ? LevelScale::Linear : LevelScale::Decibel;
   o.axis = flag("order") ? FrequencyAxis::Order : FrequencyAxis::Hertz;
   o.maxHold = flag("max-hold");
+  o.events = flag("events");
   o.channel = std::max(map.value(QStringLiteral("channel")).toInt(), 0);
   o.span = Seconds(real("span-s"));
   o.low = Hertz(real("low-hz"));

@@ -39,6 +39,15 @@ struct AutoReading {
   double value = 0.0;        // not a number: not known yet
 };
 
+// What other limits of a detector would have done to the newest recordings.
+struct SensitivityTrial {
+  bool running = false;
+  int looked = 0, recordings = 0;   // so far, of how many
+  int alarms = 0, markedFalse = 0;  // with these limits
+  int alarmsNow = 0, falseNow = 0;  // with those that the recordings were made with
+  QString problem;                  // of the last one that could not be looked at, in the language of the screen
+};
+
 class Tuning {
  public:
   virtual ~Tuning() = default;
@@ -51,6 +60,9 @@ class Tuning {
   virtual const RuleTables* rulesNow() { return nullptr; }
   // What a part of the run has set itself at this moment; empty where it sets nothing or does not run.
   virtual std::vector<AutoReading> ownNow(const TunableComponent& /*part*/) { return {}; }
+  // Begins to run `detector` with these settings (KEY=VALUE) over the newest recordings; the newest question counts.
+  virtual void tryOnRecordings(const QString& /*detector*/, const QStringList& /*settings*/) {}
+  virtual SensitivityTrial trial() { return {}; }
   // Of the run that is shown. It is the run's, not the page's: pages come and go, what was set stays.
   virtual TuningController& controller() = 0;
   // Keeps these values: in the profile the run was made from, else in a parameter file of its own. Gives the file.

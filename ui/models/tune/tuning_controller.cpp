@@ -71,6 +71,15 @@ void TuningController::set(const config::ParamDecl& decl, double value) {
        QStringLiteral("%1: %2").arg(sayCore(std::string(decl.label)), valueText(decl, value)));
 }
 
+void TuningController::setTogether(const std::vector<std::pair<const config::ParamDecl*, double>>& values,
+                                   const QString& text) {
+  std::vector<Change> changes;
+  for (const auto& [decl, wanted] : values) {
+    if (config::isLegal(*decl, wanted) && !same(wanted, value(*decl))) changes.push_back({decl, value(*decl), wanted});
+  }
+  if (!changes.empty()) push(std::move(changes), text);
+}
+
 void TuningController::resetToDefaults(const std::vector<const config::ParamDecl*>& decls) {
   std::vector<Change> changes;
   for (const config::ParamDecl* decl : decls) {

@@ -7,6 +7,7 @@
 #include <QUndoStack>
 #include <array>
 #include <deque>
+#include <utility>
 #include <vector>
 
 #include "core/config/param_set.h"
@@ -32,6 +33,8 @@ class TuningController : public QObject {
   // Of the side in use. Values that are not legal are ignored. Moves of one slider are one step until settle().
   void set(const config::ParamDecl& decl, double value);
   void settle() { ++gesture_; }
+  // Several values at once, one step of undo; those that are not legal are ignored.
+  void setTogether(const std::vector<std::pair<const config::ParamDecl*, double>>& values, const QString& text);
   // Several at once, one step of undo: to the defaults, or to what the run began with.
   void resetToDefaults(const std::vector<const config::ParamDecl*>& decls);
   void resetToStart(const std::vector<const config::ParamDecl*>& decls);

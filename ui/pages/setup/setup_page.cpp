@@ -5,6 +5,7 @@
 #include <QStackedWidget>
 #include <algorithm>
 
+#include "ui/pages/setup/setup_limits.h"
 #include "ui/pages/setup/setup_parts.h"
 #include "ui/pages/setup/setup_profile.h"
 #include "ui/pages/setup/setup_recording.h"
@@ -14,6 +15,12 @@
 #include "ui/widgets/touch_button.h"
 
 namespace stillcut::ui {
+namespace {
+
+constexpr int kProfileTab = 5;
+constexpr int kLimitsPlace = 2;
+
+}  // namespace
 
 SetupPage::SetupPage(SetupController* controller, QWidget* parent)
     : Page(parent), controller_(controller), stack_(new QStackedWidget) {
@@ -25,16 +32,21 @@ SetupPage::SetupPage(SetupController* controller, QWidget* parent)
   if (const auto begun = controller->keptDraft()) {
     draft_.open(*begun, {});
   } else {
-    draft_.open(controller->draft(), controller->profileInForce());
+    // What the demonstration cuts is nothing that anybody has said of this machine.
+    config::Profile running = controller->draft();
+    if (controller->profileInForce().isEmpty()) running.cut = {};
+    draft_.open(running, controller->profileInForce());
   }
   tabs_ = {new SetupGuide(*controller, draft_),     new SetupMachine(*controller, draft_),
            new SetupSensors(*controller, draft_),   new SetupTools(*controller, draft_),
-           new SetupRecording(*controller, draft_), new SetupProfile(*controller, draft_)};
+           new SetupRecording(*controller, draft_), new SetupProfile(*controller, draft_),
+           new SetupLimits(*controller, draft_)};
   const struct {
     QString caption;
     const char* name;
-  } names[] = {{tr("GUIDE"), "setup-guide"}, {tr("MACHINE"), "setup-machine"},     {tr("SENSORS"), "setup-sensors"},
-               {tr("TOOLS"), "setup-tools"}, {tr("RECORDING"), "setup-recording"}, {tr("PROFILE"), "setup-profile"}};
+  } names[] = {{tr("GUIDE"), "setup-guide"},  {tr("MACHINE"), "setup-machine"},     {tr("SENSORS"), "setup-sensors"},
+               {tr("TOOLS"), "setup-tools"},  {tr("RECORDING"), "setup-recording"}, {tr("PROFILE"), "setup-profile"},
+               {tr("LIMITS"), "setup-limits"}};
   choices_ = new QVBoxLayout;
   for (std::size_t k = 0; k < tabs_.size(); ++k) {
     SetupTab* tab = tabs_[k];
@@ -43,10 +55,12 @@ SetupPage::SetupPage(SetupController* controller, QWidget* parent)
     button->setObjectName(QLatin1String(names[k].name));
     button->setCheckable(true);
     button->setBaseHeight(62);
-    choices_->addWidget(button);
+    // Beside the machine that they are of; every other tab keeps its number in the settings.
+    tab == tabs_.back() ? choices_->insertWidget(kLimitsPlace, button) : choices_->addWidget(button);
     buttons_.push_back(button);
     connect(button, &TouchButton::clicked, this, [this, k] { showTab(static_cast<int>(k)); });
     connect(tab, &SetupTab::tabAsked, this, &SetupPage::showTab);
+    connect(tab, &SetupTab::fileAsked, this, [this] { emit fileAsked({}); });
     connect(tab, &SetupTab::started, this, [this] { emit pageAsked(QStringLiteral("operate")); });
   }
   choices_->addStretch(1);
@@ -57,7 +71,13 @@ SetupPage::SetupPage(SetupController* controller, QWidget* parent)
     controller_->keepDraft(draft_.profile());
     emit stateChanged();
   });
-  showTab(0);
+  showTab(firstTab(0));
+}
+
+// Whoever has a machine running looks at it, not at ways to begin.
+int SetupPage::firstTab(int kept) const {
+  const bool runs = controller_ != nullptr && !controller_->profileInForce().isEmpty();
+  return kept == 0 && runs ? kProfileTab : kept;
 }
 
 void SetupPage::showTab(int tab) {
@@ -84,7 +104,7 @@ void SetupPage::keep(QSettings& settings) const {
 
 void SetupPage::restore(const QSettings& settings) {
   const int tab = settings.value(QStringLiteral("tab"), 0).toInt();
-  if (tab >= 0 && tab < static_cast<int>(tabs_.size())) showTab(tab);
+  if (tab >= 0 && tab < static_cast<int>(tabs_.size())) showTab(firstTab(tab));
   if (controller_ != nullptr && controller_->keptDraft())
     draft_.setName(settings.value(QStringLiteral("draft")).toString());
 }

@@ -28,6 +28,7 @@ class SetupPage : public Page {
   void restore(const QSettings& settings) override;
 
   void showTab(int tab);
+  int firstTab(int kept) const;
 
  private:
   SetupController* controller_;

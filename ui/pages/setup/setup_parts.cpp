@@ -6,10 +6,12 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QTableView>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/base/format.h"
 #include "ui/base/say.h"
+#include "ui/base/typed_number.h"
 #include "ui/models/sensor_view.h"
 #include "ui/pages/setup/setup_finder.h"
 #include "ui/pages/setup/setup_sensor_trial.h"
@@ -123,11 +125,14 @@ SetupMachine::SetupMachine(SetupController& controller, SetupDraft& draft, QWidg
   connect(form_, &SettingsForm::edited, &draft, &SetupDraft::setLinkSetting);
   connect(name_, &QLineEdit::editingFinished, this,
           [this] { draft_.edit([this](config::Profile& p) { p.cut.machine = name_->text().toStdString(); }); });
-  connect(speed_, &QLineEdit::editingFinished, this,
-          [this] { draft_.edit([this](config::Profile& p) { p.cut.nominalSpeed = Rpm(typed(speed_)); }); });
+  connect(speed_, &QLineEdit::editingFinished, this, [this] {
+    draft_.edit([this](config::Profile& p) { p.cut.nominalSpeed = Rpm(std::max(typedSpeed(speed_->text()), 0.0)); });
+  });
   connect(feed_, &QLineEdit::editingFinished, this, [this] {
     if (!feed_->isModified()) return;  // what is shown is rounded
-    draft_.edit([this](config::Profile& p) { p.cut.nominalFeed = feedFrom(typed(feed_), draft_.units()); });
+    draft_.edit([this](config::Profile& p) {
+      p.cut.nominalFeed = feedFrom(std::max(typedSpeed(feed_->text()), 0.0), draft_.units());
+    });
     feed_->setModified(false);
   });
   connect(depth_, &QLineEdit::editingFinished, this, &SetupMachine::takeDepth);
@@ -183,6 +188,7 @@ void SetupMachine::refresh() {
 
 SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidget* parent)
     : SetupTab(controller, draft, parent),
+      foundRows_(new QVBoxLayout),
       about_(new TextLabel({type_size::kBody, false, true, true})),
       whose_(new TextLabel({type_size::kLabel, true, true})),
       state_(new TextLabel({type_size::kBody, true, false, true})),
@@ -197,6 +203,7 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
   auto* columns = new QHBoxLayout(this);
   auto* left = new QVBoxLayout;
   left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("DEVICE")));
+  left->addLayout(foundRows_);
   auto* choices = new QGridLayout;
   constexpr int kInARow = 4;
   for (const ComponentOption& option : controller.sources()) {
@@ -258,7 +265,44 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
   refresh();
 }
 
+// A device by its maker's name, so that nobody has to know what kind of driver it has.
+void SetupSensors::showFound() {
+  constexpr std::size_t kMost = 2;  // on the screen; more are reached by their kind
+  std::vector<FoundDevice> here = controller_.devicesHere();
+  if (here.size() > kMost) here.resize(kMost);
+  const auto same = [](const FoundDevice& a, const FoundDevice& b) {
+    return a.label == b.label && a.range == b.range && a.source.settings == b.source.settings;
+  };
+  if (!std::ranges::equal(here, foundShown_, same)) {
+    for (TouchButton* button : found_) button->deleteLater();
+    found_.clear();
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      TouchButton* button = makeButton(here[k].label, tr("Take %1, which is plugged in here").arg(here[k].label),
+                                       QStringLiteral("device-found-%1").arg(k));
+      button->setCheckable(true);
+      button->setHint(sayCore(here[k].range.toStdString()));
+      button->applyTheme(theme());
+      connect(button, &TouchButton::clicked, this, [this, device = here[k]] { draft_.useDevice(device); });
+      foundRows_->addWidget(button);
+      found_.push_back(button);
+    }
+    foundShown_ = std::move(here);
+  }
+  const config::ComponentChoice& source = draft_.profile().source;
+  for (std::size_t k = 0; k < found_.size(); ++k) {
+    const config::ComponentChoice& device = foundShown_[k].source;
+    found_[k]->setChecked(device.id == source.id && source.settings.contains("device") &&
+                          source.settings.at("device") == device.settings.at("device"));
+  }
+}
+
+void SetupSensors::showEvent(QShowEvent* event) {
+  SetupTab::showEvent(event);
+  controller_.lookForDevices();
+}
+
 void SetupSensors::refresh() {
+  showFound();
   const config::Profile& profile = draft_.profile();
   for (TouchButton* button : sources_) {
     button->setChecked(button->objectName() == QStringLiteral("source-") + QString::fromStdString(profile.source.id));

@@ -7,6 +7,7 @@
 
 class QScrollArea;
 class QTableView;
+class QVBoxLayout;
 
 namespace stillcut::ui {
 
@@ -42,12 +43,17 @@ class SetupSensors : public SetupTab {
   void applyTheme(const Theme& theme) override;
 
  protected:
+  void showEvent(QShowEvent* event) override;  // what was plugged in meanwhile is looked for
   void hideEvent(QHideEvent* event) override;  // nobody looks: the device is let go
 
  private:
   Picture shown(const Picture& picture, const DevicePreview& heard);
+  void showFound();
 
   std::vector<TouchButton*> sources_;
+  QVBoxLayout* foundRows_;
+  std::vector<TouchButton*> found_;  // what is plugged in here
+  std::vector<FoundDevice> foundShown_;
   TextLabel *about_, *whose_, *state_, *findings_, *levels_;
   TouchButton* listen_;
   config::ComponentChoice listened_;  // what was chosen then

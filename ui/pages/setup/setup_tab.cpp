@@ -41,14 +41,25 @@ void SetupTab::applyTheme(const Theme& theme) {
 SetupGuide::SetupGuide(SetupController& controller, SetupDraft& draft, QWidget* parent)
     : SetupTab(controller, draft, parent), note_(new TextLabel({type_size::kBody, false, false, true})) {
   auto* column = new QVBoxLayout(this);
-  column->addWidget(new TextLabel({type_size::kFault, true}, tr("Two ways to begin")));
+  column->addWidget(new TextLabel({type_size::kFault, true}, tr("Three ways to begin")));
   column->addWidget(new TextLabel({type_size::kBody, false, true, true},
                                   tr("Look at a simulated cut first: it chatters as it gets deeper, and the program "
                                      "finds the stable speed. Nothing has to be connected.")));
+  column->addWidget(new TextLabel({type_size::kBody, false, true, true},
+                                  tr("Or open a recording of a cut, of a phone or a logger: whether it chatters, why, "
+                                     "and which speed helps.")));
   auto* show = new TouchButton(tr("SHOW ME A SIMULATED CUT"), TouchButton::Look::Advice);
   show->setObjectName(QStringLiteral("guide-simulated"));
   show->setBaseHeight(72);
-  column->addWidget(show, 0, Qt::AlignLeft);
+  auto* file = new TouchButton(tr("LOOK AT MY RECORDING"), TouchButton::Look::Advice);
+  file->setObjectName(QStringLiteral("guide-file"));
+  file->setBaseHeight(72);
+  connect(file, &TouchButton::clicked, this, &SetupTab::fileAsked);
+  auto* doors = new QHBoxLayout;
+  doors->addWidget(show);
+  doors->addWidget(file);
+  doors->addStretch(1);
+  column->addLayout(doors);
   column->addSpacing(16);
   column->addWidget(new TextLabel({type_size::kBody, false, true, true},
                                   tr("Or connect this machine, step by step. Each step says what is still missing; "

@@ -26,7 +26,8 @@ class SetupTab : public Panel {
 
  signals:
   void tabAsked(int tab);
-  void started();  // another cut runs
+  void started();    // another cut runs
+  void fileAsked();  // somebody wants to look at a recording
 
  protected:
   static TouchButton* makeButton(const QString& caption, const QString& spoken, const QString& name);

@@ -1,17 +1,20 @@
 #include "ui/pages/setup/setup_tools.h"
 
+#include <QDate>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QListView>
 #include <QPlainTextEdit>
+#include <QScrollArea>
 #include <QTextDocument>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include "ui/base/format.h"
 #include "ui/base/say.h"
+#include "ui/base/typed_number.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
 #include "ui/widgets/wrapped_list.h"
@@ -27,6 +30,21 @@ double numberIn(const QLineEdit* edit, double otherwise) {
   return isNumber && std::isfinite(value) && value >= 0.0 ? value : otherwise;
 }
 
+// More fields than a low screen has rows for.
+QScrollArea* scrolledFields(QGridLayout* fields) {
+  auto* scroll = new QScrollArea;
+  auto* box = new QWidget;
+  box->setLayout(fields);
+  fields->setContentsMargins(0, 0, 0, 0);
+  scroll->setWidget(box);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(box->minimumSizeHint().width());
+  return scroll;
+}
+
 }  // namespace
 
 SetupTools::SetupTools(SetupController& controller, SetupDraft& draft, QWidget* parent)
@@ -38,6 +56,11 @@ SetupTools::SetupTools(SetupController& controller, SetupDraft& draft, QWidget* 
       diameter_(makeEdit(tr("Diameter"), QStringLiteral("tool-diameter"))),
       pitch_(makeEdit(tr("Pitch angles, degrees"), QStringLiteral("tool-pitch"))),
       modes_(makeEdit(tr("File of its modes"), QStringLiteral("tool-modes"))),
+      material_(makeEdit(tr("Cuts"), QStringLiteral("tool-material"))),
+      response_(makeEdit(tr("File of its response"), QStringLiteral("tool-response"))),
+      stickOut_(makeEdit(tr("Stick-out"), QStringLiteral("tool-stick-out"))),
+      deepest_(makeEdit(tr("Deepest cut"), QStringLiteral("tool-deepest"))),
+      slowest_(makeEdit(tr("Lowest speed, rpm"), QStringLiteral("tool-slowest"))),
       limit_(makeEdit(tr("Highest speed, rpm"), QStringLiteral("tool-limit"))),
       notes_(new QPlainTextEdit),
       chattered_(new TextLabel({type_size::kBody, false, false, true})),
@@ -63,17 +86,23 @@ SetupTools::SetupTools(SetupController& controller, SetupDraft& draft, QWidget* 
   auto* right = new QVBoxLayout;
   auto* fields = new QGridLayout;
   int row = 0;
-  for (QLineEdit* edit : {name_, holder_, teeth_, diameter_, pitch_, modes_, limit_}) {
-    const int column = row % 2 * 2;
+  fields_ = {name_,     holder_,   teeth_,    diameter_, pitch_,   modes_,
+             material_, response_, stickOut_, deepest_,  slowest_, limit_};
+  for (QLineEdit* edit : fields_) {
+    constexpr int kBeside = 2;
+    const int column = row % kBeside * 2;
     auto* label = new TextLabel(TextLabel::Look{type_size::kBody}, edit->accessibleName());
-    if (edit == diameter_) diameterLabel_ = label;
-    fields->addWidget(label, row / 2, column);
-    fields->addWidget(edit, row / 2, column + 1);
+    if (edit == diameter_ || edit == stickOut_ || edit == deepest_)
+      lengths_.push_back({edit, label, edit->accessibleName()});
+    fields->addWidget(label, row / kBeside, column);
+    fields->addWidget(edit, row / kBeside, column + 1);
     ++row;
   }
   pitch_->setPlaceholderText(tr("even"));
   modes_->setPlaceholderText(tr("not measured"));
-  limit_->setPlaceholderText(tr("no limit"));
+  material_->setPlaceholderText(QStringLiteral("7075-T6, 1045 \u2026"));
+  response_->setPlaceholderText(tr("none"));
+  for (QLineEdit* edit : {slowest_, limit_, deepest_}) edit->setPlaceholderText(tr("no limit"));
   notes_->setObjectName(QStringLiteral("tool-notes"));
   notes_->setAccessibleName(tr("Notes"));
   notes_->setPlaceholderText(tr("Notes"));
@@ -81,7 +110,7 @@ SetupTools::SetupTools(SetupController& controller, SetupDraft& draft, QWidget* 
   auto* buttons = new QHBoxLayout;
   for (TouchButton* button : {save_, use_, here_, remove_}) buttons->addWidget(button);
   buttons->addStretch(1);
-  right->addLayout(fields);
+  right->addWidget(scrolledFields(fields), 2);
   right->addWidget(notes_, 1);
   right->addWidget(chattered_);
   right->addWidget(note_);
@@ -102,14 +131,19 @@ SetupTools::SetupTools(SetupController& controller, SetupDraft& draft, QWidget* 
     name_->selectAll();
   });
   connect(save_, &TouchButton::clicked, this, [this] {
-    if (!pitchFits()) return;
+    if (!fits()) return;
     take(typed());
     keep(tr("Kept"));
   });
   connect(use_, &TouchButton::clicked, this, [this] {
-    if (!pitchFits()) return;
-    const ToolEntry tool = typed();
+    if (!fits()) return;
+    ToolEntry tool = typed();
     take(tool);
+    if (!tool.modes.isEmpty()) {
+      const auto cut = controller_.cutFile(tool);
+      if (!cut) return void(refuse(tr("Not used: %1").arg(sayError(cut.error()))));
+      tool.modes = *cut;
+    }
     draft_.useTool(tool);
     keep(tr("The profile uses it now"));
   });
@@ -141,25 +175,41 @@ SetupTools::SetupTools(SetupController& controller, SetupDraft& draft, QWidget* 
 }
 
 void SetupTools::refresh() {
+  // A tap test may have changed them; what is typed here and not kept goes before it.
+  if (auto known = controller_.tools(); known && typed_.empty() && !edited() && *known != tools_.tools()) {
+    const int row = list_->currentIndex().row();
+    tools_.show(std::move(known).value());
+    list_->setCurrentIndex(tools_.index(std::max(row, 0)));
+  }
   if (tools_.units() != draft_.units()) showUnits();
 }
 
 void SetupTools::showUnits() {
   tools_.setUnits(draft_.units());
-  const QString label = tr("Diameter, %1").arg(lengthUnit(draft_.units()));
-  diameterLabel_->setText(label);
-  diameter_->setAccessibleName(label);
+  for (const Length& length : lengths_) {
+    const QString label = QStringLiteral("%1, %2").arg(length.name, lengthUnit(draft_.units()));
+    length.label->setText(label);
+    length.edit->setAccessibleName(label);
+  }
   showTool(list_->currentIndex().row());
 }
 
 bool SetupTools::edited() const {
-  const QLineEdit* edits[] = {name_, holder_, teeth_, diameter_, pitch_, modes_, limit_};
   return notes_->document()->isModified() ||
-         std::any_of(std::begin(edits), std::end(edits), [](const QLineEdit* edit) { return edit->isModified(); });
+         std::any_of(fields_.begin(), fields_.end(), [](const QLineEdit* edit) { return edit->isModified(); });
 }
 
-void SetupTools::take(const ToolEntry& tool) {
+void SetupTools::take(ToolEntry tool) {
   const int row = list_->currentIndex().row();
+  const ToolEntry* before = tools_.tool(row);
+  const auto note = [&](const QString& now, const QString& then, const QString& what) {
+    if (now == then || now.isEmpty()) return;
+    tool.history.push_back({QDate::currentDate().toString(Qt::ISODate), what.arg(now)});
+  };
+  if (before != nullptr) {
+    note(tool.modes, before->modes, tr("modes: %1"));
+    note(tool.response, before->response, tr("response: %1"));
+  }
   tools_.put(row, tool);
   typed_.erase(row);
 }
@@ -190,23 +240,56 @@ ToolEntry SetupTools::typedOver(int row) const {
     tool.diameter_mm = std::clamp(1e3 * typed.value, 0.05, 1000.0);
   }
   tool.pitch = pitch_->text().trimmed();
+  // What is shown is rounded: only what was typed is taken.
+  const auto length = [units](const QLineEdit* edit, double kept, double most) {
+    if (!edit->isModified()) return kept;
+    return std::min(1e3 * lengthFrom(numberIn(edit, 0.0), units).value, most);
+  };
+  tool.stickOut_mm = length(stickOut_, tool.stickOut_mm, 10000.0);
+  tool.deepest_mm = length(deepest_, tool.deepest_mm, 1000.0);
   tool.modes = modes_->text().trimmed();
-  tool.highestSpeed_rpm =
-      std::min(numberIn(limit_, limit_->text().trimmed().isEmpty() ? 0.0 : tool.highestSpeed_rpm), 200000.0);
+  tool.material = material_->text().trimmed();
+  tool.response = response_->text().trimmed();
+  const auto speed = [](const QLineEdit* edit, double kept) {
+    bool isNumber = false;
+    const double typed = typedSpeed(edit->text(), &isNumber);
+    if (!isNumber || typed < 0.0) return edit->text().trimmed().isEmpty() ? 0.0 : kept;
+    return std::min(typed, 200000.0);
+  };
+  tool.lowestSpeed_rpm = speed(slowest_, tool.lowestSpeed_rpm);
+  tool.highestSpeed_rpm = speed(limit_, tool.highestSpeed_rpm);
   tool.notes = notes_->toPlainText();
   return tool;
 }
 
-bool SetupTools::pitchFits() {
-  if (pitchAngles(typed())) return true;
+bool SetupTools::refuse(const QString& why) {
   note_->setTone(Tone::Onset);
-  note_->setText(tr("Not kept: the pitch needs one angle per tooth, 360 degrees together"));
+  note_->setText(why);
   return false;
+}
+
+bool SetupTools::fits() {
+  const ToolEntry tool = typed();
+  if (!pitchAngles(tool)) {
+    return refuse(tr("Not kept: the pitch needs one angle per tooth, 360 degrees together"));
+  }
+  if (tool.lowestSpeed_rpm > 0.0 && tool.highestSpeed_rpm > 0.0 && tool.lowestSpeed_rpm >= tool.highestSpeed_rpm) {
+    return refuse(tr("Not kept: the lowest speed lies above the highest"));
+  }
+  const std::pair<QString, SetupController::ToolFile> files[] = {{tool.modes, SetupController::ToolFile::Modes},
+                                                                 {tool.response, SetupController::ToolFile::Response}};
+  for (const auto& [file, kind] : files) {
+    if (file.isEmpty()) continue;
+    if (const Status usable = controller_.checkToolFile(file, kind); !usable) {
+      return refuse(tr("Not kept: %1").arg(sayError(usable.error())));
+    }
+  }
+  return true;
 }
 
 void SetupTools::showTool(int row) {
   const ToolEntry* tool = tools_.tool(row);
-  for (QLineEdit* edit : {name_, holder_, teeth_, diameter_, pitch_, modes_, limit_}) edit->setEnabled(tool != nullptr);
+  for (QLineEdit* edit : fields_) edit->setEnabled(tool != nullptr);
   notes_->setEnabled(tool != nullptr);
   for (TouchButton* button : {save_, use_, remove_}) button->setEnabled(tool != nullptr);
   here_->setEnabled(tool != nullptr && alarming_);
@@ -220,13 +303,25 @@ void SetupTools::showTool(int row) {
                          : QString());
   pitch_->setText(shown.pitch);
   modes_->setText(shown.modes);
+  material_->setText(shown.material);
+  response_->setText(shown.response);
+  const auto length = [this](double mm) {
+    return mm > 0.0 ? QString::number(lengthIn(Metres(mm * 1e-3), tools_.units()), 'g', 5) : QString();
+  };
+  stickOut_->setText(length(shown.stickOut_mm));
+  deepest_->setText(length(shown.deepest_mm));
+  slowest_->setText(shown.lowestSpeed_rpm > 0.0 ? QString::number(shown.lowestSpeed_rpm, 'f', 0) : QString());
   limit_->setText(shown.highestSpeed_rpm > 0.0 ? QString::number(shown.highestSpeed_rpm, 'f', 0) : QString());
-  for (QLineEdit* edit : {name_, holder_, pitch_, modes_})
+  for (QLineEdit* edit : {name_, holder_, pitch_, modes_, response_})
     edit->setCursorPosition(0);  // what is too long shows its head
   notes_->setPlainText(shown.notes);
   QStringList lines;
   for (const ChatterNote& c : shown.chattered) {
     lines.push_back(tr("Chattered at %1 rpm, %2 Hz  %3").arg(number(c.speed_rpm), number(c.frequency_hz), c.note));
+  }
+  constexpr std::size_t kLatest = 3;
+  for (std::size_t k = shown.history.size() - std::min(kLatest, shown.history.size()); k < shown.history.size(); ++k) {
+    lines.push_back(QStringLiteral("%1  %2").arg(shown.history[k].day, shown.history[k].what));
   }
   chattered_->setText(lines.join(u'\n'));
   note_->setTone(Tone::Normal);

@@ -23,20 +23,28 @@ class SetupTools : public SetupTab {
   ToolEntry typed() const;
   ToolEntry typedOver(int row) const;
   bool edited() const;
-  void take(const ToolEntry& tool);
+  void take(ToolEntry tool);
   void moveTyped(int from, int by);
   void showTool(int row);
   void showUnits();
   void keep(const QString& done);
   void noteChatter();
-  // False, and it says so: the pitch does not go once around.
-  bool pitchFits();
+  // False, and it says so: the pitch does not go once around, or a file is not what it should be.
+  bool fits();
+  bool refuse(const QString& why);
 
   ToolModel tools_;
   QListView* list_;
-  QLineEdit *name_, *holder_, *teeth_, *diameter_, *pitch_, *modes_, *limit_;
+  QLineEdit *name_, *holder_, *teeth_, *diameter_, *pitch_, *modes_, *material_, *response_, *stickOut_, *deepest_,
+      *slowest_, *limit_;
+  std::vector<QLineEdit*> fields_;
   QPlainTextEdit* notes_;
-  TextLabel* diameterLabel_ = nullptr;
+  struct Length {
+    QLineEdit* edit;
+    TextLabel* label;
+    QString name;
+  };
+  std::vector<Length> lengths_;  // fields whose unit is the screen's
   TextLabel *chattered_, *note_;
   TouchButton *save_, *use_, *remove_, *putBack_, *here_;
   std::map<int, ToolEntry> typed_;     // by row: what was typed of a tool and not kept before another one was chosen

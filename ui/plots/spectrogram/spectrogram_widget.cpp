@@ -50,6 +50,7 @@ Hertz SpectrogramWidget::visibleTop() const {
 }
 
 void SpectrogramWidget::append(const SpectrumColumn& column, Tone alarm) {
+  newest_ = column.time;
   image_.append(column, alarm);
   spindle_ = column.spindle;
   update();
@@ -233,12 +234,26 @@ void SpectrogramWidget::drawAxes(QPainter& p, const QRect& plot) const {
     const QString label = value > 0 ? number(value) : join(number(0), unit);
     p.drawText(plot.left() - theme_.px(9) - metrics.horizontalAdvance(label), y + half, label);
   }
-  for (int s = 0; s <= 10; s += 2) {
-    const int x = plot.right() + 1 - static_cast<int>(std::lround(plot.width() * s / 10.0));
+  drawTimes(p, plot);
+}
+
+// By the clock, so that what is seen here is found again elsewhere; without one, back from now.
+void SpectrogramWidget::drawTimes(QPainter& p, const QRect& plot) const {
+  constexpr double kSpan = 10.0, kEvery = 2.0;  // s
+  const QFontMetrics metrics = p.fontMetrics();
+  const auto tick = [&](double ago, const QString& label) {
+    const int x = plot.right() + 1 - static_cast<int>(std::lround(plot.width() * ago / kSpan));
     p.drawLine(x, plot.bottom() + 1, x, plot.bottom() + theme_.px(5));
-    const QString label = s == 0 ? tr("now") : join(number(-s), tr("s"));
     const int w = metrics.horizontalAdvance(label);
     p.drawText(std::clamp(x - w / 2, 0, width() - w), plot.bottom() + theme_.px(8) + metrics.ascent(), label);
+  };
+  if (!wallMsAtStreamZero_ || newest_ == Instant{}) {
+    for (double s = 0.0; s <= kSpan; s += kEvery) tick(s, s > 0.0 ? join(number(-s), tr("s")) : tr("now"));
+    return;
+  }
+  const double end = static_cast<double>(*wallMsAtStreamZero_ + toNs(newest_) / 1'000'000) * 1e-3;
+  for (double t = std::ceil((end - kSpan) / kEvery) * kEvery; t <= end; t += kEvery) {
+    tick(end - t, clockTime(std::llround(t * 1e3)));
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "ui/base/theme.h"
 #include "ui/base/themed.h"
@@ -27,6 +28,8 @@ class SpectrogramWidget : public QWidget, public Themed {
   // The newest chatter frequency with its label; 0: no mark.
   void setChatter(Hertz frequency, const QString& label, Tone tone);
   void setPlotState(PlotState plotState);
+  // The clock on the wall at stream time 0, ms since 1970: the times below are the clock's then.
+  void setClock(qint64 wallMsAtStreamZero) { wallMsAtStreamZero_ = wallMsAtStreamZero; }
   void clear();
 
   Axis axis() const { return axis_; }
@@ -53,6 +56,7 @@ class SpectrogramWidget : public QWidget, public Themed {
   void drawColumns(QPainter& p, const QRect& plot) const;
   void drawGaps(QPainter& p, const QRect& plot) const;
   void drawAxes(QPainter& p, const QRect& plot) const;
+  void drawTimes(QPainter& p, const QRect& plot) const;
   void drawTeeth(QPainter& p, const QRect& plot) const;
   void drawChatter(QPainter& p, const QRect& plot) const;
 
@@ -61,6 +65,8 @@ class SpectrogramWidget : public QWidget, public Themed {
   QString signal_, unit_, chatterLabel_;
   int teeth_ = 0;
   Hertz top_{}, wantedTop_, spindle_{}, chatter_{};
+  std::optional<qint64> wallMsAtStreamZero_;
+  Instant newest_{};
   Axis axis_ = Axis::Hertz;
   Tone chatterTone_ = Tone::Normal;
   PlotState plotState_ = PlotState::Moves;

@@ -30,7 +30,7 @@ struct Choice {
 // of a sensor which the person has turned; in a frequency response it is part of what was computed.
 enum class ForceAxis { Fixed, Overruled };
 
-// `wanted` empty: every axis there is, as long as there is no doubt which response belongs to it. A cross response is
+// `wanted` empty: every axis there is, as long as it is certain which response belongs to it. A cross response is
 // never taken for a direct one. The error names the responses and the option: `option` is what tells them apart in this
 // kind of file ("--dataset", "--response").
 Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& wanted,

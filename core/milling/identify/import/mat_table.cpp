@@ -88,25 +88,43 @@ std::string textOf(const matvar_t& v) {
   return {static_cast<const char*>(v.data), count};
 }
 
+struct Found {
+  std::vector<TableColumn> columns;
+  std::map<std::string, std::string> texts;
+};
+
+// A measuring program keeps frequency, response and unit together in one struct, or in a struct of that: what lies in
+// it counts as if it stood beside it, by its own name. Of several elements the first.
+void gather(matvar_t& v, int depth, Found& found) {
+  constexpr int kDeepest = 4;
+  if (v.name == nullptr || v.data == nullptr || depth > kDeepest) return;
+  if (v.class_type == MAT_C_STRUCT) {
+    const unsigned fields = Mat_VarGetNumberOfFields(&v);
+    for (unsigned k = 0; k < fields; ++k) {
+      if (matvar_t* field = Mat_VarGetStructFieldByIndex(&v, k, 0)) gather(*field, depth + 1, found);
+    }
+  } else if (v.class_type == MAT_C_CHAR) {
+    found.texts[v.name] = textOf(v);
+  } else if (isTable(v)) {
+    addColumns(v, found.columns);
+  }
+}
+
 }  // namespace
 
 Result<NumberTable> readMatTable(const std::string& path) {
   if (const Status sound = record::checkMatElements(path); !sound) return sound.error();
   const std::unique_ptr<mat_t, CloseMat> mat(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (!mat) return Error{path, message("is no MATLAB file")};
-  std::vector<TableColumn> all;
-  std::map<std::string, std::string> texts;
+  Found found;
   while (const Variable info{Mat_VarReadNextInfo(mat.get())}) {
     if (info->name == nullptr) continue;
-    const bool text = info->class_type == MAT_C_CHAR;
-    if (!text && !isTable(*info)) continue;
-    if (Mat_VarReadDataAll(mat.get(), info.get()) != 0 || info->data == nullptr) continue;
-    if (text) {
-      texts[info->name] = textOf(*info);
-    } else {
-      addColumns(*info, all);
-    }
+    const bool wanted = info->class_type == MAT_C_CHAR || info->class_type == MAT_C_STRUCT || isTable(*info);
+    if (!wanted || Mat_VarReadDataAll(mat.get(), info.get()) != 0) continue;
+    gather(*info, 0, found);
   }
+  std::vector<TableColumn>& all = found.columns;
+  const std::map<std::string, std::string>& texts = found.texts;
   std::map<std::size_t, std::size_t> lengths;
   for (const TableColumn& column : all) ++lengths[column.real.size()];
   const auto most =

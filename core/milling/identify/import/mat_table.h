@@ -10,7 +10,8 @@
 namespace stillcut::identify {
 
 // Numeric vectors of the length that most have; a matrix gives a column for each of its columns. Text variables
-// "x_unit" give the unit of "x". Error when there is no such file, or fewer than two vectors of one length.
+// "x_unit" give the unit of "x". Structs are looked into. Error when there is no such file, or fewer than two vectors
+// of one length.
 Result<NumberTable> readMatTable(const std::string& path);
 
 }  // namespace stillcut::identify

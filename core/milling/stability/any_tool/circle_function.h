@@ -1,5 +1,5 @@
 // f(mu) at one speed and depth for mu on the unit circle: zero exactly where mu is a Floquet multiplier of the cut,
-// real for real mu, and ~ mu^states far outside, so that states - (turns of arg f along the circle) multipliers lie
+// real for real mu, and ~ mu^states far outside, so that states - (rounds of arg f along the circle) multipliers lie
 // outside. What the search for limits needs of a cut whose pitch, helix or process damping make more of the depth than
 // a factor. Thread: const members from any thread, each with its own meter; allocates.
 #pragma once

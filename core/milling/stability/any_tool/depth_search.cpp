@@ -62,7 +62,7 @@ SpeedLimits DepthSearch::run() {
   return std::move(limits_);
 }
 
-// False: not searched, or what was found cannot be told apart.
+// False: not searched, or what was found cannot be distinguished.
 bool DepthSearch::addBand(double from, double to, const CircleSurface& surface) {
   const ThetaDepthBox box{0.0, kPi, from, to};
   const double change = argumentChange(surface, to, 0.0, kPi, meter_);

@@ -1,5 +1,5 @@
 // The chatter frequency that belongs to a multiplier exp(i angle) of a tooth period: the motion is exp(i angle t/tau)
-// times a periodic function, and its largest Fourier line is what is heard.
+// times a periodic function, and its largest Fourier line is what a sensor measures.
 // Thread: one, with its WorkMeter; not real-time.
 #pragma once
 

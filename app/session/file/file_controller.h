@@ -1,0 +1,66 @@
+// DeskFileController: one recording as a whole and its answer, and a second one beside it. Each part of the work has a
+// thread of its own: reading, judging by the default detector, judging by the others, spectra. Thread: GUI.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "app/io/sound_player.h"
+#include "app/session/background_task.h"
+#include "app/session/file/file_judgement.h"
+#include "app/session/file/file_reading.h"
+#include "ui/facade/file_controller.h"
+
+namespace stillcut::app {
+
+class DeskFileController final : public ui::FileController {
+ public:
+  bool poll() override;
+
+  void open(Place place, const QString& path) override;
+  void close(Place place) override;
+  QString path(Place place) const override { return places_[place].path; }
+  std::shared_ptr<const ui::FileContents> contents(Place place) const override { return places_[place].read.contents; }
+  ui::TaskState reading(Place place) const override { return places_[place].reading.state(); }
+
+  void ask(const ui::FileQuestion& question) override;
+  ui::FileQuestion asked() const override { return question_; }
+  std::shared_ptr<const ui::FileAnswer> answer() const override;
+  ui::TaskState answering() const override { return answering_.state(); }
+  bool comparing() const override { return others_.state().running; }
+  ui::FileFindings findings() const override { return findings_; }
+
+  void askSummary() override;
+  std::shared_ptr<const SessionSummary> summary() const override { return summary_; }
+  ui::TaskState summarizing() const override { return summarizing_.state(); }
+  void askSpectra(Place place, const SpectraRequest& request) override;
+  std::shared_ptr<const Spectra> spectra(Place place) const override { return places_[place].spectra; }
+
+  Status play(int channel, Seconds from, Seconds to) override;
+  void stopSound() override { sound_.stop(); }
+  std::optional<Seconds> playing() const override;
+  QString soundProblem() const override;
+
+ private:
+  struct Shown {
+    QString path;
+    FileReading read;
+    std::shared_ptr<const Spectra> spectra;
+    BackgroundTask reading, transforming;
+  };
+  void findInSignal();
+  void askOthers(const ui::FileQuestion& question);
+
+  std::array<Shown, 2> places_;
+  ui::FileQuestion question_;
+  std::optional<FileJudgement> judgement_;
+  ui::FileQuestion judged_;  // that judgement_ answers
+  ui::FileFindings findings_;
+  std::shared_ptr<const SessionSummary> summary_;
+  BackgroundTask answering_, others_, finding_, summarizing_;
+  SoundPlayer sound_;
+  bool changed_ = false;
+};
+
+}  // namespace stillcut::app

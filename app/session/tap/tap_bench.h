@@ -1,0 +1,103 @@
+// TapBench: the tap test behind its page: a device and what is heard of it, the hits of both axes, their modes and the
+// lobes that follow. Thread: GUI; devices are read, and modes and lobes computed, apart.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "app/session/background_task.h"
+#include "app/session/tap/tap_listener.h"
+#include "app/session/tap/tap_work.h"
+#include "core/config/profile.h"
+#include "ui/facade/tap_controller.h"
+#include "ui/facade/tool_entry.h"
+
+namespace stillcut::app {
+
+class TapBench final : public ui::TapController {
+ public:
+  ~TapBench() override;
+
+  // Where files of modes are kept; empty: nowhere.
+  void keepIn(const QString& folder) { folder_ = folder; }
+  // Profiles with a device: their names, and one by its name. A draft is the name "".
+  std::function<QStringList()> profiles;
+  std::function<Result<config::Profile>(const QString& name)> profile;
+  std::function<std::string(const QString& name)> profilePath;
+  // The shop's tools.
+  std::function<Result<std::vector<ui::ToolEntry>>()> library;
+  std::function<Status(const std::vector<ui::ToolEntry>&)> keepLibrary;
+  // Times real time of the simulated hammer; 0: as fast as it is taken.
+  void setSimulatedPace(double pace) { pace_ = pace; }
+
+  bool poll() override;
+  std::vector<ui::TapDevice> devices() const override;
+  void listen(const QString& device) override;
+  void stopListening() override;
+  const ui::TapListening& listening() const override { return listening_; }
+  void chooseForce(int channel) override;
+  void chooseResponse(int channel) override;
+  void begin(int axis) override;
+  void end() override;
+  ui::TapRun run() const override;
+  const std::vector<ui::TapHitRow>& hits(int axis) const override;
+  void useHit(int axis, std::size_t hit, bool use) override;
+  void openFiles(const QStringList& paths) override;
+  const QStringList& files() const override { return files_; }
+  const ui::TapResponse& response(int axis) const override;
+  void useMode(int axis, std::size_t mode, bool use) override;
+  std::vector<ui::TapMaterial> materials() const override;
+  void compute(const ui::TapCut& cut) override;
+  const ui::TapLobes& lobes() const override { return lobes_; }
+  QStringList tools() const override;
+  ui::TapCut withTool(ui::TapCut cut, const QString& tool) const override;
+  Result<QString> saveCut(const QString& tool) override;
+  Result<QString> saveModes(const QString& name) override;
+
+ private:
+  struct Axis {
+    std::optional<identify::TapTest> test;
+    std::vector<ui::TapHitRow> hits;
+    TapAxis known;
+    BackgroundTask fitting;
+  };
+  Axis& axisOf(int axis) { return axes_[axis == 1 ? std::size_t{1} : std::size_t{0}]; }
+  const Axis& axisOf(int axis) const { return axes_[axis == 1 ? std::size_t{1} : std::size_t{0}]; }
+  void hear(const HeardBlock& block);
+  void meter(const HeardBlock& block);
+  void openDevice();
+  void guessChannels();
+  void chooseAlong();
+  void showHits(Axis& axis);
+  void fit(int axis);
+  void take(Axis& axis, TapAxis found);
+  void changed(ui::TapResponse& response) { response.version = ++versions_; }
+  void readFiles();
+  void computeAnew();
+  std::vector<identify::IdentifiedMode> modes() const;
+  Result<QString> fileIn(const char* folder, const QString& name) const;
+
+  QString folder_;
+  double pace_ = 1.0;
+  TapListener listener_;
+  ui::TapListening listening_;
+  std::array<Axis, ui::kTapAxes> axes_;
+  int axis_ = 0;
+  bool running_ = false;
+  bool beginning_ = false;     // once the device is heard
+  bool withoutForce_ = false;  // somebody has said so
+  bool gap_ = false;           // since the last block that was handed on
+  QStringList files_;
+  TapHitsOut without_;
+  BackgroundTask reading_, computing_;
+  ui::TapLobes lobes_;
+  std::optional<ui::TapCut> asked_;
+  std::stop_source stopLobes_;
+  std::uint32_t versions_ = 0;
+};
+
+}  // namespace stillcut::app

@@ -1,0 +1,45 @@
+#include "core/learn/cut_evidence.h"
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+namespace stillcut::learn {
+
+std::string_view name(CutOutcome outcome) {
+  return outcome == CutOutcome::Chatter ? "chatter" : "stable";
+}
+
+Status check(const CutEvidence& cut, const std::string& where) {
+  const auto bad = [&](Message what) { return Status(Error{where, std::move(what)}); };
+  const auto within = [](double value, double low, double high) {
+    return std::isfinite(value) && value > low && value <= high;
+  };
+  if (cut.assembly.machine.empty() || cut.assembly.tool.empty()) return bad(message("machine and tool must be named"));
+  if (cut.teeth < 1 || cut.teeth > milling::kMostTeeth) return bad(message("teeth must be 1 to 200"));
+  if (!within(cut.diameter.value, 0.0, 1.0)) return bad(message("diameter must lie above 0 and up to 1000 mm"));
+  if (!within(cut.speed.value, 0.0, 1e6)) return bad(message("speed must lie above 0 and up to 1e6 rev/min"));
+  if (!within(cut.depth.value, 0.0, 1.0)) return bad(message("depth must lie above 0 and up to 1000 mm"));
+  if (!within(cut.engagement.radialImmersion, 0.0, 1.0)) return bad(message("radial immersion must lie in (0, 1]"));
+  if (!(cut.doubt >= 0.0 && cut.doubt <= 0.5)) return bad(message("doubt must lie between 0 and 0.5"));
+  const bool frequency = cut.frequency.value >= 0.0 && cut.frequency.value <= 1e5 && cut.frequencySd.value >= 0.0 &&
+                         std::isfinite(cut.frequencySd.value);
+  if (!frequency) return bad(message("chatter frequency must lie between 0 and 100 kHz"));
+  if (!(cut.assembly.stickOut.value >= 0.0 && cut.assembly.stickOut.value <= 2.0)) {
+    return bad(message("stick-out must lie between 0 and 2000 mm"));
+  }
+  return Done{};
+}
+
+std::string newEvidenceId() {
+  std::random_device device;
+  std::string id;
+  for (int i = 0; i < 4; ++i) {
+    char part[12];
+    std::snprintf(part, sizeof part, "%08x", static_cast<unsigned>(device()));
+    id += part;
+  }
+  return id;
+}
+
+}  // namespace stillcut::learn

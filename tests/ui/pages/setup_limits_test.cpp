@@ -1,0 +1,43 @@
+// The Set up page's tab of limits: typed, checked against each other, and saved in the profile.
+#include "core/config/override_limits.h"
+#include "tests/ui/support/setup_fixture.h"
+
+namespace stillcut::ui {
+namespace {
+
+TEST_F(SetupPageTest, LimitsOfTheMachineAreSetOnTheScreenAndSavedInTheProfile) {
+  openSetup();
+  press("setup-limits");
+  EXPECT_TRUE(find<QLineEdit>("gate.highest-speed")->text().isEmpty()) << "none unless somebody says so";
+  EXPECT_EQ(find<QLineEdit>("gate.lowest-speed-override")->text(), QStringLiteral("50")) << "as it comes";
+  type(QStringLiteral("gate.highest-speed"), QStringLiteral("12 000"));
+  type(QStringLiteral("gate.lowest-speed-override"), QStringLiteral("82,5"));
+  press("setup-profile");
+  type(QStringLiteral("profile-name"), QStringLiteral("mill3"));
+  press("profile-save");
+  const config::Profile& kept = controller_.kept.at(QStringLiteral("mill3"));
+  const auto limits = config::checkOverrideLimits(kept.params, kept.cut, "test");
+  ASSERT_TRUE(limits) << limits.error().line();
+  EXPECT_EQ(limits->fastest, Rpm(12'000.0));
+  EXPECT_DOUBLE_EQ(limits->lowestSpeed.value, 0.825);
+}
+
+TEST_F(SetupPageTest, LimitsThatCrossOrAreOutOfRangeAreSaidByTheirLabels) {
+  openSetup();
+  press("setup-limits");
+  const auto* problem = find<QLabel>("limits-problem");
+  EXPECT_TRUE(problem->text().isEmpty());
+  type(QStringLiteral("gate.highest-speed"), QStringLiteral("5000"));
+  type(QStringLiteral("gate.lowest-speed"), QStringLiteral("6000"));
+  EXPECT_TRUE(problem->text().contains(QStringLiteral("lowest speed is not below"))) << problem->text().toStdString();
+  type(QStringLiteral("gate.lowest-speed"), QStringLiteral("4000"));
+  EXPECT_TRUE(problem->text().isEmpty());
+  type(QStringLiteral("gate.lowest-speed-override"), QStringLiteral("300"));
+  EXPECT_FALSE(problem->text().isEmpty());
+  EXPECT_FALSE(problem->text().contains(QStringLiteral("gate."))) << problem->text().toStdString();
+  type(QStringLiteral("gate.lowest-speed-override"), QStringLiteral("60"));
+  EXPECT_TRUE(problem->text().isEmpty());
+}
+
+}  // namespace
+}  // namespace stillcut::ui

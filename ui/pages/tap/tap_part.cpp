@@ -1,0 +1,79 @@
+#include "ui/pages/tap/tap_part.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QLayout>
+#include <QLineEdit>
+#include <QTableView>
+#include <algorithm>
+
+#include "ui/models/tap/tick_table.h"
+#include "ui/widgets/painting.h"
+
+namespace stillcut::ui {
+
+TapPart::TapPart(TapController& controller, QWidget* parent) : Panel(parent), controller_(controller) {}
+
+QComboBox* TapPart::makeChoice(const QString& spoken, const QString& name) {
+  auto* choice = new QComboBox;
+  choice->setObjectName(name);
+  choice->setAccessibleName(spoken);
+  choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  choice->setMinimumContentsLength(6);
+  typed_.push_back(choice);
+  return choice;
+}
+
+QDoubleSpinBox* TapPart::makeNumber(const QString& spoken, const QString& name) {
+  auto* box = new QDoubleSpinBox;
+  box->setObjectName(name);
+  box->setAccessibleName(spoken);
+  box->setButtonSymbols(QAbstractSpinBox::NoButtons);  // too small for a glove
+  typed_.push_back(box);
+  return box;
+}
+
+QLineEdit* TapPart::makeEdit(const QString& spoken, const QString& name) {
+  auto* edit = new QLineEdit;
+  edit->setObjectName(name);
+  edit->setAccessibleName(spoken);
+  typed_.push_back(edit);
+  return edit;
+}
+
+QTableView* TapPart::makeTable(TickTable& rows, const QString& spoken, const QString& name) {
+  auto* table = new QTableView;
+  table->setModel(&rows);
+  table->setObjectName(name);
+  table->setAccessibleName(spoken);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setTabKeyNavigation(false);
+  table->verticalHeader()->hide();
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setStretchLastSection(true);
+  connect(table, &QTableView::clicked, &rows, &TickTable::toggle);
+  connect(table, &QTableView::activated, &rows, &TickTable::toggle);
+  tables_.push_back(table);
+  return table;
+}
+
+void TapPart::applyTheme(const Theme& theme) {
+  Panel::applyTheme(theme);
+  const int high = touchHeight(theme, this);
+  for (QWidget* widget : typed_) {
+    widget->setFont(theme.font(type_size::kBody));
+    widget->setFixedHeight(high);
+  }
+  for (QTableView* table : tables_) {
+    table->setFont(theme.font(type_size::kBody));
+    table->horizontalHeader()->setFont(theme.font(type_size::kLabel));
+    table->verticalHeader()->setDefaultSectionSize(high);
+  }
+  if (layout() == nullptr) return;
+  layout()->setContentsMargins(theme.px(14), theme.px(12), theme.px(14), theme.px(12));
+  layout()->setSpacing(std::max(theme.px(10), pixelsFor(kTouchGapMm, this)));
+}
+
+}  // namespace stillcut::ui
