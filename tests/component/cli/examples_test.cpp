@@ -37,7 +37,8 @@ TEST_F(Examples, OctaveReadsTheAnswerAndTheSeries) {
   EXPECT_EQ(code, 0) << out;
   EXPECT_THAT(out, HasSubstr("chatter at 937"));
   EXPECT_THAT(out, HasSubstr(" s of 2.50 s, in alarm "));
-  EXPECT_THAT(out, testing::EndsWith("chatter\n"));
+  // Octave 7.3 may say something of its own about its exit after it.
+  EXPECT_THAT(out, HasSubstr("\nchatter\n"));
 }
 
 TEST_F(Examples, OctaveStopsWhereTheCommandDoes) {
