@@ -38,16 +38,18 @@ class ATopicSender : public ::testing::Test {
     outbox_->add({topic, {{"t", 1.0}}, false});
     ASSERT_TRUE(outbox_->commit().ok());
   }
-  // Turns the sender, whose clock goes on by a second each time, until the broker has heard such a packet.
-  ScriptedBroker::Packet next(ScriptedBroker::Type type, int quality = 0) {
+  // Turns the sender, whose clock goes on by a second each time, until the broker has heard such a packet, with `about`
+  // in it.
+  ScriptedBroker::Packet next(ScriptedBroker::Type type, std::string_view about = "") {
     ScriptedBroker::Packet found;
     EXPECT_TRUE(within(kPatience,
                        [&] {
                          EXPECT_TRUE(sender_->turn(nowMs_ += 1000).ok());
                          for (const auto& packet : broker_.heard()) {
-                           if (packet.type == ScriptedBroker::Publish && packet.quality() == 1)
-                             broker_.say(0x40, packet.number());
-                           if (found.type == 0 && packet.type == type && packet.quality() >= quality) found = packet;
+                           // One quality of service for all, or a broker may hand one out before the other.
+                           if (packet.type == ScriptedBroker::Publish) EXPECT_EQ(packet.quality(), 2);
+                           const bool wanted = packet.type == type && packet.body.find(about) != std::string::npos;
+                           if (found.type == 0 && wanted) found = packet;
                          }
                          return found.type != 0;
                        }))
@@ -73,8 +75,7 @@ class ATopicSender : public ::testing::Test {
 TEST_F(ATopicSender, DoesNotBelieveABrokerThatHasForgottenTheSession) {
   connect();
   tell("event/alarm");
-  const auto published = next(ScriptedBroker::Publish, 2);
-  EXPECT_THAT(published.body, HasSubstr("w/h/mill3/stillcut/event/alarm"));
+  const auto published = next(ScriptedBroker::Publish, "w/h/mill3/stillcut/event/alarm");
   broker_.say(0x50, published.number());
   next(ScriptedBroker::PubRel);
   broker_.hangUp();
@@ -84,9 +85,8 @@ TEST_F(ATopicSender, DoesNotBelieveABrokerThatHasForgottenTheSession) {
   broker_.say(0x70, published.number());
   next(ScriptedBroker::Connect);
   broker_.welcome(false);
-  const auto again = next(ScriptedBroker::Publish, 2);
+  const auto again = next(ScriptedBroker::Publish, "w/h/mill3/stillcut/event/alarm");
   EXPECT_EQ(broker_.connections(), 4);
-  EXPECT_THAT(again.body, HasSubstr("w/h/mill3/stillcut/event/alarm"));
   EXPECT_THAT(sender_->takeDelivered(), IsEmpty());
   broker_.say(0x50, again.number());
   next(ScriptedBroker::PubRel);
