@@ -141,9 +141,11 @@ ui::LinkStatus CutRun::link() const {
 
 ui::RecorderView CutRun::recorder() const {
   const record::Recorder* recorder = rig_->recorder();
-  const Message flightProblem = flightLog_ ? flightLog_->problem() : Message();
-  if (recorder == nullptr && flightProblem.empty()) return {};
-  if (recorder == nullptr) return {ui::RecorderView::State::Failed, {}, ui::sayCore(flightProblem)};
+  // Of what else is kept of the run: flight recordings, and what its cuts have taught.
+  Message beside = flightLog_ ? flightLog_->problem() : Message();
+  if (beside.empty() && cuts_) beside = cuts_->problem();
+  if (recorder == nullptr && beside.empty()) return {};
+  if (recorder == nullptr) return {ui::RecorderView::State::Failed, {}, ui::sayCore(beside)};
   const record::RecorderStatus status = recorder->status();
   ui::RecorderView shown;
   shown.state = status.recording ? ui::RecorderView::State::Recording : ui::RecorderView::State::Failed;

@@ -6,13 +6,16 @@
 #include <fstream>
 #include <utility>
 
+#include "core/base/time.h"
+
 namespace stillcut::shop {
 namespace {
 
 constexpr int kKeepAlive_s = 20;
 constexpr std::int64_t kFirstWaitMs = 100, kLongestWaitMs = 15'000;
 constexpr int kMostReads = 200;  // packets in one turn
-constexpr int kWaitMs = 50, kMostWaits = 40;
+constexpr int kWaitMs = 50;
+constexpr Seconds kLongestWork{2.0};
 
 MqttClient* of(void* self) {
   return static_cast<MqttClient*>(self);
@@ -150,7 +153,9 @@ pollfd MqttClient::entry() const {
 }
 
 bool MqttClient::work(const std::function<bool()>& done) {
-  for (int k = 0; k < kMostWaits && !done(); ++k) {
+  const SteadyClock clock;
+  const Instant begun = clock.now();
+  while (!done() && secondsBetween(begun, clock.now()) < kLongestWork) {
     if (mosquitto_socket(client_) < 0 || mosquitto_loop(client_, kWaitMs, 1) != MOSQ_ERR_SUCCESS) return false;
   }
   return done();

@@ -170,7 +170,6 @@ void RunTranslator::alarm(const json& line) {
 
 void RunTranslator::endAlarm(std::int64_t utcMs, const json& line, const char* how) {
   json payload = about(line);
-  for (const auto& [key, value] : run_.items()) payload[key] = value;
   carry(payload, alarm_, {"frequency_hz", "kind", "speed_rpm", "mode", "detector"});
   payload["utc_ms"] = utcMs;
   payload["edge"] = "end";

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "core/base/conversions.h"
@@ -51,20 +53,40 @@ Hdf5Id openToRead(const std::string& path) {
   return Hdf5Id();
 }
 
-// Sessions below the folder, by the time of their last change.
-std::vector<std::pair<std::filesystem::file_time_type, std::string>> sessionsBelow(const std::string& folder) {
-  std::vector<std::pair<std::filesystem::file_time_type, std::string>> all;
-  std::error_code ignored;
-  for (auto entry = std::filesystem::recursive_directory_iterator(folder, ignored);
-       entry != std::filesystem::recursive_directory_iterator(); entry.increment(ignored)) {
-    if (entry->path().extension() == ".h5" && entry->is_regular_file(ignored))
-      all.emplace_back(entry->last_write_time(ignored), entry->path().string());
-  }
-  std::sort(all.begin(), all.end());
-  return all;
+// When it began, ns since 1970 UTC; 0: it is no session.
+std::int64_t beginOf(const std::string& path) {
+  const Hdf5Id file = openToRead(path);
+  if (!file || readText(file.get(), "format") != kSessionFormat) return 0;
+  return readInteger(file.get(), "started_utc_ns").value_or(0);
 }
 
 }  // namespace
+
+// Sessions below the folder, by when they began. Not by when they were changed: a marker set in an old one does not
+// make it newer than the one that is being recorded.
+std::vector<SessionLines::Known> SessionLines::look() {
+  std::map<std::string, Known> now;
+  std::error_code ignored;
+  for (auto entry = std::filesystem::recursive_directory_iterator(folder_, ignored);
+       entry != std::filesystem::recursive_directory_iterator(); entry.increment(ignored)) {
+    if (entry->path().extension() != ".h5" || !entry->is_regular_file(ignored)) continue;
+    const std::string path = entry->path().string();
+    const auto changed = entry->last_write_time(ignored);
+    const auto before = known_.find(path);
+    // When it began does not change; what was none may have become one.
+    const bool read = before != known_.end() && (before->second.began_ns > 0 || before->second.changed == changed);
+    now[path] = {read ? before->second.began_ns : beginOf(path), changed, path};
+  }
+  known_ = std::move(now);
+  std::vector<Known> all;
+  for (const auto& [path, known] : known_) {
+    if (known.began_ns > 0) all.push_back(known);
+  }
+  std::sort(all.begin(), all.end(), [](const Known& a, const Known& b) {
+    return std::tie(a.began_ns, a.changed, a.path) < std::tie(b.began_ns, b.changed, b.path);
+  });
+  return all;
+}
 
 // How far one session was told; the whole of it is the cursor.
 struct SessionLines::Place {
@@ -73,13 +95,15 @@ struct SessionLines::Place {
   std::int64_t startedUtcMs = 0, firstNs = 0, lastNs = 0, saidUtcMs = 0;
   double inCut = 0.0, judged = 0.0, chatter = 0.0, chatterMm = 0.0;
   std::string state{};  // of the step before
+  bool cut = false;     // the tool was in the material then
   bool over = false;    // its end was told
 
   json asJson() const {
     return {{"file", file},       {"steps", steps},    {"verdicts", verdicts},    {"events", events},
             {"markers", markers}, {"lines", lines},    {"started", startedUtcMs}, {"first", firstNs},
             {"last", lastNs},     {"said", saidUtcMs}, {"in_cut", inCut},         {"judged", judged},
-            {"chatter", chatter}, {"mm", chatterMm},   {"state", state},          {"over", over}};
+            {"chatter", chatter}, {"mm", chatterMm},   {"state", state},          {"cut", cut},
+            {"over", over}};
   }
   static Place from(const std::string& words) {
     Place p;
@@ -87,6 +111,7 @@ struct SessionLines::Place {
     if (!j.is_object()) return p;
     p.file = j.value("file", "");
     p.state = j.value("state", "");
+    p.cut = j.value("cut", false);
     p.over = j.value("over", false);
     const auto whole = [&j](const char* key, auto& to) {
       to = static_cast<std::remove_reference_t<decltype(to)>>(j.value(key, std::int64_t{0}));
@@ -245,7 +270,7 @@ template <class Place>
 void reckon(Place& p, std::int64_t now_ns, const MachineRow& machine) {
   const double passed = std::max(0.0, 1e-9 * static_cast<double>(now_ns - p.lastNs));
   p.lastNs = std::max(p.lastNs, now_ns);
-  if (p.state != "air" && !p.state.empty()) p.inCut += passed;
+  if (p.cut) p.inCut += passed;
   if (p.state == "stable" || p.state == "onset" || p.state == "chatter") p.judged += passed;
   if (p.state != "chatter") return;
   p.chatter += passed;
@@ -286,6 +311,7 @@ bool tellStep(Reading& reading, Place& p, Teller& teller) {
   const Verdict verdict = verdictIn(*v, reading.reason(v->reason));
   const std::string state = shown(verdict);
   const bool changed = state != std::exchange(p.state, state);
+  p.cut = inCut(verdict);
   // A whole session has a step a block: a state at once, a status once a second.
   if (!changed && utcMs - p.saidUtcMs < 950) return true;
   if (!changed) p.saidUtcMs = utcMs;
@@ -335,17 +361,23 @@ Result<std::vector<SourceLine>> SessionLines::read(std::size_t atMost) {
   std::vector<SourceLine> lines;
   Teller teller(lines, atMost);
   Place& p = *place_;
-  const auto all = sessionsBelow(folder_);
+  const std::vector<Known> all = look();
   if (all.empty()) return lines;
-  const auto here = std::find_if(all.begin(), all.end(), [&p](const auto& entry) { return entry.second == p.file; });
-  if (here == all.end()) p = Place{.file = all.back().second};
+  const auto here = std::find_if(all.begin(), all.end(), [&p](const Known& known) { return known.path == p.file; });
+  if (here == all.end()) p = Place{.file = all.back().path};
+  const auto goOn = [&] {  // to the first that began after this one
+    if (here != all.end() && std::next(here) != all.end()) p = Place{.file = std::next(here)->path};
+  };
   std::error_code ignored;
   const bool written = std::filesystem::exists(journalPath(p.file), ignored);  // asked before the look
   Reading reading;
   if (!reading.open(p.file)) return lines;  // not yet whole: looked at again
   if (p.lines == 0) {
     const BlockRow* first = reading.blocks.at(0, reading.damaged);
-    if (first == nullptr) return lines;
+    if (first == nullptr) {
+      goOn();
+      return lines;
+    }
     p.startedUtcMs = readInteger(reading.file.get(), "started_utc_ns").value_or(0) / 1'000'000;
     p.firstNs = p.lastNs = first->firstSample;
     const json l = reading.start(p);
@@ -363,8 +395,8 @@ Result<std::vector<SourceLine>> SessionLines::read(std::size_t atMost) {
     l["judged_s"] = p.judged;
     l["chatter_s"] = p.chatter;
     teller.tell(l, p.asJson());
-  } else if (here != all.end() && std::next(here) != all.end()) {
-    p = Place{.file = std::next(here)->second};  // the first that was changed after this one
+  } else {
+    goOn();
   }
   return lines;
 }

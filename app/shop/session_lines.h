@@ -5,8 +5,11 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/shop/line_source.h"
 
@@ -25,8 +28,15 @@ class SessionLines final : public LineSource {
  private:
   struct Place;
   struct Reading;
+  struct Known {
+    std::int64_t began_ns = 0;  // since 1970 UTC; 0: no session
+    std::filesystem::file_time_type changed{};
+    std::string path;
+  };
+  std::vector<Known> look();
   std::string folder_;
   std::unique_ptr<Place> place_;
+  std::map<std::string, Known> known_;  // by path, as last seen
 };
 
 }  // namespace stillcut::shop

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/judged_cut.h"
+
 namespace stillcut::learn {
 
 std::optional<CollectedCut> CutCollector::look(const Verdict& verdict) {
@@ -17,8 +19,7 @@ std::optional<CollectedCut> CutCollector::look(const Verdict& verdict) {
   const double speed = 60.0 * verdict.spindle.value;
   const double time = judged_s_ + alarm_s_;
   if (begun_ && speed > 0.0 && std::abs(speed * time - speedSum_) > params_.speedChange * speedSum_) ended = end();
-  const bool steady = verdict.phase == CutPhase::Steady || verdict.alarming();
-  if (!air && verdict.valid && steady && speed > 0.0 && verdict.kind != ChatterKind::Forced) count(verdict, seconds);
+  if (judges(verdict) && speed > 0.0 && verdict.kind != ChatterKind::Forced) count(verdict, seconds);
   return ended;
 }
 

@@ -49,6 +49,7 @@ Status checkTrial(const TrialProgram& t) {
   const auto bad = [](Message what) { return Status(Error{message("trial"), std::move(what)}); };
   const auto above = [](double v, double most) { return std::isfinite(v) && v > 0.0 && v <= most; };
   if (t.teeth < 1 || t.teeth > 200) return bad(message("teeth must be 1 to 200"));
+  if (!above(t.diameter.value, 1.0)) return bad(message("diameter must lie above 0 and up to 1000 mm"));
   if (!above(t.feedPerTooth.value, 0.01)) return bad(message("feed per tooth must lie above 0 and up to 10 mm"));
   if (!above(t.speed.value, 1e6)) return bad(message("speed must lie above 0 and up to 1e6 rev/min"));
   if (!above(t.depth.value, 1.0)) return bad(message("depth must lie above 0 and up to 1000 mm"));
@@ -75,6 +76,7 @@ std::string heading(const TrialProgram& t) {
                                                        : "inclined cut, the depth rises along X";
   std::string text = std::string("(Stillcut trial: ") + what + ")\n";
   text += line("(from X0 to X%.3f at Y0, Z0 is the top of the stock)", 1e3 * t.length.value);
+  text += line("(tool %.3f mm, with the work offset and the tool length that are in force)", 1e3 * t.diameter.value);
   text += "(run it in air first; hand on the feed hold)\n";
   if (t.kind == TrialKind::SpeedSweep) {
     text += t.controller == Controller::Grbl ? "(Grbl halts the axes for an instant at each new speed)\n"
@@ -83,8 +85,13 @@ std::string heading(const TrialProgram& t) {
   return text;
 }
 
+// Of the tool's axis from the stock where the tool is clear of it [mm].
+double clearOf(const TrialProgram& t) {
+  return 1e3 * (0.5 * t.diameter.value + t.clearance.value);
+}
+
 std::string cutting(const TrialProgram& t) {
-  const double end = 1e3 * (t.length.value + t.clearance.value);
+  const double end = 1e3 * t.length.value + clearOf(t);
   const double feed = feedAt(t, t.speed.value);
   std::string text;
   if (t.kind == TrialKind::Cut) text += line("G1 X%.3f F%.1f", end, feed);
@@ -115,10 +122,10 @@ Result<std::string> trialGCode(const TrialProgram& trial) {
   if (Status ok = checkTrial(trial); !ok) return ok.error();
   const double safe = 1e3 * trial.clearance.value;
   std::string text = heading(trial);
-  text += trial.controller == Controller::LinuxCnc ? "G21 G17 G40 G49 G54 G80 G90 G94\nG64 P0.01\n"
-                                                   : "G21 G17 G40 G49 G54 G80 G90 G94\n";
+  text +=
+      trial.controller == Controller::LinuxCnc ? "G21 G17 G40 G80 G90 G94\nG64 P0.01\n" : "G21 G17 G40 G80 G90 G94\n";
   text += line("G0 Z%.3f", safe);
-  text += line("G0 X%.3f Y0.000", -safe - 1e3 * trial.clearance.value);
+  text += line("G0 X%.3f Y0.000", -clearOf(trial));
   text += line("S%.0f M3", trial.speed.value);
   text += line("G4 P%.1f", trial.runUp.value);
   text += line("G1 Z%.4f F%.1f", -1e3 * trial.depth.value, feedAt(trial, trial.speed.value));

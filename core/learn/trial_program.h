@@ -1,7 +1,9 @@
 // G-code of a guided trial for LinuxCNC and GRBL: one straight cut at a speed; a sweep of the speed at constant depth
 // (Brecher 2018: some 3 % a second, so that chatter has time to grow); an inclined cut whose depth rises along the
-// path. The tool moves along X from X0 to X(length) at Y0; Z0 is the top of the stock. Nothing is changed but spindle
-// and axes. Pure; any thread.
+// path. The tool moves along X over the stock from X0 to X(length) at Y0; Z0 is the top of the stock, in the work
+// offset and with the tool length that are in force. Nothing is changed but spindle and axes: G49 or another work
+// offset before the first move would send the tool into the stock. It comes down beside the stock, its whole radius
+// away from it. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +21,14 @@ struct TrialProgram {
   TrialKind kind = TrialKind::Cut;
   Controller controller = Controller::LinuxCnc;
   int teeth = 2;
+  Metres diameter{};  // of the tool
   Metres feedPerTooth{};
   Rpm speed{};                   // of the cut; where a sweep begins
   Rpm lastSpeed{};               // where a sweep ends; sweeps alone
   Metres depth{};                // of the cut; where an incline begins
   Metres lastDepth{};            // where an incline ends; inclines alone
   Metres length{};               // of material along X
-  Metres clearance{0.005};       // above and before the material
+  Metres clearance{0.005};       // between tool and material: above, before and behind
   double sweepPerSecond = 0.03;  // change of speed [1/s]
   Seconds runUp{3.0};            // for the spindle to reach its speed
 };

@@ -193,7 +193,51 @@ TEST_F(SessionLinesTest, WhatIsNoSessionIsPassedOver) {
   folder_.file("broken.h5", std::string(5000, 'x'));
   SessionLines lines(folder_ / "", "");
   EXPECT_THAT(read(lines), IsEmpty());
+  open("cut.h5");
+  add(0, CutState::Chatter);
+  ASSERT_TRUE(writer_->close().ok());
+  const auto later = std::filesystem::last_write_time(folder_ / "cut.h5") + std::chrono::seconds(60);
+  std::filesystem::last_write_time(folder_ / "broken.h5", later);
+  EXPECT_THAT(types(read(lines)), ElementsAre("start", "change"));
+  EXPECT_THAT(types(read(lines)), ElementsAre("end"));
+  folder_.file("newer.h5", "no session either");
   EXPECT_THAT(read(lines), IsEmpty());
+}
+
+// Somebody sets a marker in yesterday's session while a cut is being recorded.
+TEST_F(SessionLinesTest, AnOldSessionThatIsChangedIsNotTheNewest) {
+  open("old.h5");
+  add(0, CutState::Stable);
+  ASSERT_TRUE(writer_->close().ok());
+  open("live.h5");
+  add(0, CutState::Stable);
+  ASSERT_TRUE(writer_->flush().ok());
+  SessionLines lines(folder_ / "", "");
+  EXPECT_THAT(types(read(lines)), ElementsAre("start", "change"));
+  const auto later = std::filesystem::last_write_time(folder_ / "live.h5") + std::chrono::seconds(60);
+  std::filesystem::last_write_time(folder_ / "old.h5", later);
+  EXPECT_THAT(read(lines), IsEmpty());
+  add(1, CutState::Chatter);
+  ASSERT_TRUE(writer_->flush().ok());
+  const auto told = read(lines);
+  ASSERT_THAT(types(told), ElementsAre("change"));
+  EXPECT_EQ(told[0]["state"], "chatter");
+}
+
+// As `run` counts them: run-up and what was not judged in air are no cut.
+TEST_F(SessionLinesTest, SecondsInCutAreThoseInTheMaterial) {
+  open("cut.h5");
+  for (int k = 0; k < 10; ++k) {
+    StepRecord step = stepAt(k, CutState::Stable, k >= 2);
+    step.output.verdicts[0].phase = k < 6 ? CutPhase::RunUp : CutPhase::Steady;
+    ASSERT_TRUE(writer_->add(step.input, step.output).ok());
+  }
+  ASSERT_TRUE(writer_->close().ok());
+  SessionLines lines(folder_ / "", "");
+  read(lines);
+  const auto end = read(lines);
+  ASSERT_THAT(types(end), ElementsAre("end"));
+  EXPECT_NEAR(end[0]["in_cut_s"].get<double>(), 0.3, 1e-9);
 }
 
 }  // namespace

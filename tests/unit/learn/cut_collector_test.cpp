@@ -10,11 +10,12 @@ class Course {
  public:
   // `seconds` of one kind of verdict, looked at 30 times a second.
   void pass(double seconds, CutState state, double rpm, double frequency = 0.0, bool valid = true,
-            ChatterKind kind = ChatterKind::Unknown) {
+            ChatterKind kind = ChatterKind::Unknown, ReasonCode reason = ReasonCode::None) {
     Verdict v;
     v.state = state;
     v.phase = state == CutState::AirCutting ? CutPhase::AirCutting : CutPhase::Steady;
     v.valid = valid;
+    v.reason.code = reason;
     v.kind = kind;
     v.spindle = Hertz(rpm / 60.0);
     v.frequency = Hertz(frequency);
@@ -57,6 +58,7 @@ TEST(CutCollector, EndsACutInAirAndWhereTheSpeedChanges) {
 TEST(CutCollector, LearnsNothingFromWhatWasNotJudged) {
   Course course;
   course.pass(5.0, CutState::Stable, 8000.0, 0.0, false);
+  course.pass(5.0, CutState::Stable, 8000.0, 0.0, true, ChatterKind::Unknown, ReasonCode::Learning);
   course.pass(1.0, CutState::AirCutting, 8000.0);
   course.pass(1.0, CutState::Stable, 8000.0);  // too short
   course.pass(1.0, CutState::AirCutting, 8000.0);

@@ -50,6 +50,7 @@ TrialProgram sweep() {
   t.speed = Rpm(8000.0);
   t.lastSpeed = Rpm(10000.0);
   t.depth = Metres(1e-3);
+  t.diameter = Metres(0.025);
   t.length = Metres(0.3);
   return t;
 }
@@ -101,6 +102,23 @@ TEST(TrialProgram, StartsTheSpindleBeforeTheMaterialAndEndsAboveIt) {
   EXPECT_THAT(trialGCode(grbl).value(), Not(HasSubstr("G64")));  // Grbl does not know it
 }
 
+// G49 before the first move in Z would send the tool into the stock by its own length, G54 to another origin.
+TEST(TrialProgram, KeepsTheOffsetsInForce) {
+  for (const Controller controller : {Controller::LinuxCnc, Controller::Grbl}) {
+    TrialProgram t = sweep();
+    t.controller = controller;
+    const std::string text = trialGCode(t).value();
+    for (const char* word : {"G43", "G49", "G5", "G10", "G92"}) EXPECT_THAT(text, Not(HasSubstr(word))) << word;
+  }
+}
+
+// It goes down and up beside the stock, not into it.
+TEST(TrialProgram, ComesDownItsRadiusAwayFromTheStock) {
+  const std::string text = trialGCode(sweep()).value();
+  EXPECT_LT(text.find("G0 X-17.500 Y0.000"), text.find("G1 Z-1.0000"));
+  EXPECT_NEAR(feedMoves(text).back().x, 317.5, 1e-9);
+}
+
 TEST(TrialProgram, RefusesWhatCannotBeCut) {
   TrialProgram t = sweep();
   t.length = Metres(0.01);
@@ -111,6 +129,9 @@ TEST(TrialProgram, RefusesWhatCannotBeCut) {
   EXPECT_FALSE(trialGCode(t).ok());
   t = sweep();
   t.kind = TrialKind::Incline;
+  EXPECT_FALSE(trialGCode(t).ok());
+  t = sweep();
+  t.diameter = {};
   EXPECT_FALSE(trialGCode(t).ok());
 }
 
