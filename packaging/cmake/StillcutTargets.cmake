@@ -5,7 +5,10 @@ target_compile_features(stillcut_options INTERFACE cxx_std_20)
 target_compile_options(stillcut_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
   -Wimplicit-fallthrough -Werror
-  -ffp-contract=off) # the same sums on every machine: replays are compared bit by bit
+  -ffp-contract=off # the same sums on every machine: replays are compared bit by bit
+  # Libraries are also linked into modules that other programs load (Python's, Vamp's). Nothing of ours is replaced from
+  # outside, so that calls stay as direct as in a program.
+  -fPIC -fno-semantic-interposition)
 target_include_directories(stillcut_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
 # GCC 12 sees a copy out of bounds in std::string's operator+ (its bug 105651), and no longer holds it back as a system
 # header's where that header is precompiled. The address sanitizer looks for real ones.

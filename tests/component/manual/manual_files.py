@@ -130,7 +130,7 @@ def lay_out(top, programs, folder):
     write(folder, "knocks.csv", knocks())
     write(folder, "mine.toml", "[energy-ratio]\nchatter = 0.3\n")
     copy("resources/scenarios/air-cut.toml", "S.toml")
-    for example in ("read_session.py", "read_answers.py", "read_answers.m", "watch_run.py"):
+    for example in ("analyze_in_python.py", "read_session.py", "read_answers.py", "read_answers.m", "watch_run.py"):
         copy("resources/manual/" + example, example)
     copy("resources/profiles/simulated.toml", "P.toml", "PROFILE.toml")
     program("simulate", "resources/scenarios/demo.toml", "--out", "cut.h5")
