@@ -1,20 +1,25 @@
 #include "app/compose/left_overrides.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "app/compose/resource_folder.h"
 #include "app/io/override_file.h"
-#include "core/cnc/registry.h"
 #include "core/cnc/remembering_link.h"
 
 namespace stillcut::app {
 namespace {
 
-// All that says which machine it is; what was measured of it changes.
+// Where it is reached, and nothing else: limits and what was measured change, and passwords belong in no file name.
+constexpr std::array<std::string_view, 5> kAddress{"host", "port", "device", "map", "sender_port"};
+
 std::string machineName(const config::Profile& profile) {
   std::string name = profile.link.id;
   for (const auto& [key, value] : profile.link.settings) {
-    if (key != cnc::kSavedDelay && key != cnc::kSavedEffect) name.append(" ").append(key).append("=").append(value);
+    if (std::find(kAddress.begin(), kAddress.end(), key) != kAddress.end())
+      name.append(" ").append(key).append("=").append(value);
   }
   return name;
 }

@@ -74,11 +74,18 @@ class Lock {
   bool taken_ = false;
 };
 
+// Each once, whatever its names: a second lock on one file would be refused by the first.
 std::vector<std::string> lockFolders() {
-  std::vector<std::string> folders{"/run/lock"};
-  if (const char* runtime = std::getenv("XDG_RUNTIME_DIR"); runtime != nullptr && *runtime != '\0')
-    folders.emplace_back(runtime);
-  folders.emplace_back("/tmp");
+  std::vector<std::string> folders;
+  const auto add = [&folders](const char* folder) {
+    std::error_code absent;
+    const auto same = [&](const std::string& f) { return std::filesystem::equivalent(f, folder, absent); };
+    if (folder == nullptr || *folder == '\0' || std::any_of(folders.begin(), folders.end(), same)) return;
+    folders.emplace_back(folder);
+  };
+  add("/run/lock");
+  add(std::getenv("XDG_RUNTIME_DIR"));
+  add("/tmp");
   return folders;
 }
 
@@ -125,8 +132,8 @@ class OneProgramLink final : public cnc::CncLink {
           return Error{wire, message("another Stillcut holds this machine (process %1)", lock.holder()),
                        message("end that one, or watch here without a machine link")};
         }
+        // In every folder that there is: programs of another session or user may not have all of them.
         held_.push_back(std::move(lock));
-        break;
       }
     }
     return Done{};

@@ -11,7 +11,8 @@ namespace stillcut::app {
 namespace {
 
 constexpr Seconds kPollEvery{0.02};  // half of what a record may be late, with room for the disk
-constexpr int kMost = 1000;          // percent; no machine has more
+constexpr Seconds kRetryEvery{0.5};
+constexpr int kMost = 1000;  // percent; no machine has more
 
 std::string fileName(const std::string& machine) {
   std::string name;
@@ -56,10 +57,10 @@ void OverrideFile::run(const std::stop_token& stop) {
 
 void OverrideFile::write() {
   const std::optional<cnc::SentOverrides> wanted = wanted_.get();
-  if (wanted == written_) return;
-  written_ = wanted;
+  if (wanted == written_ || SteadyClock().now() < nextTry_) return;
   std::error_code problem;
   if (!wanted) {
+    written_ = wanted;
     std::filesystem::remove(file_, problem);
     return;
   }
@@ -68,7 +69,11 @@ void OverrideFile::write() {
   std::string text;
   for (const int percent : {speed.base, speed.sent, feed.base, feed.sent}) text += std::to_string(percent) + ' ';
   text += "\nspindle: of the operator, sent; feed: of the operator, sent [%]; machine " + machine_ + "\n";
-  (void)writeFileAtomically(file_, text).ok();
+  if (writeFileAtomically(file_, text).ok()) {
+    written_ = wanted;
+  } else {
+    nextTry_ = SteadyClock().now() + toDuration(kRetryEvery);  // a full disk may be emptied, a share come back
+  }
 }
 
 }  // namespace stillcut::app

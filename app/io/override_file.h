@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/time.h"
 #include "core/cnc/override_memory.h"
 #include "core/rt/realtime_thread.h"
 #include "core/rt/wakeup.h"
@@ -33,6 +34,7 @@ class OverrideFile final : public cnc::OverrideMemory {
   std::optional<cnc::SentOverrides> left_;
   cnc::SentOverridesCell wanted_;              // to be on record
   std::optional<cnc::SentOverrides> written_;  // the thread's
+  Instant nextTry_{};                          // after one that failed
   rt::Wakeup wakeup_;
   std::optional<rt::RealtimeThread> thread_;  // last: joined before what it uses goes
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/safety/release_watch.h"
 #include "tests/protocol/commands.h"
 #include "tests/protocol/grbl_bench.h"
 #include "tests/support/grbl/fake_grbl.h"
@@ -159,6 +160,50 @@ TEST(Grbl, AReportOlderThanTheStepIsNoLostStep) {
     b.link->release(b.clock.now());
     EXPECT_EQ(b.grbl.spindle, 100) << reports;
     EXPECT_EQ(b.grbl.feed, 100) << reports;
+  }
+}
+
+// Answers that are on their way when a step goes out come after it and tell of before: no step is taken for lost, and
+// the overrides never leap back to 100 %.
+TEST(Grbl, ASlowWireLosesNoStep) {
+  for (const double roundTrip : {0.02, 0.1, 0.2, 0.3}) {
+    Bench b;
+    b.faults.latency = Seconds(roundTrip);
+    b.run(5.0);
+    b.link->apply(b.gate.set(91.0), b.clock.now());
+    int last = 100;
+    for (int k = 0; k < 2000; ++k) {
+      b.run(0.005);
+      EXPECT_LE(b.grbl.feed, last) << roundTrip;
+      last = b.grbl.feed;
+    }
+    EXPECT_EQ(b.grbl.moved.size(), 18U) << roundTrip;  // nine times one down, of speed and feed
+    EXPECT_EQ(b.grbl.spindle, 91) << roundTrip;
+    b.link->release(b.clock.now());
+    b.run(3.0);
+    EXPECT_EQ(b.grbl.spindle, 100) << roundTrip;
+    EXPECT_EQ(b.grbl.feed, 100) << roundTrip;
+  }
+}
+
+// Whenever it is released: once that counts as read back, it is home.
+TEST(Grbl, OnASlowWireWhatIsSaidToBeHomeIsHome) {
+  for (const double roundTrip : {0.05, 0.2}) {
+    for (int tick = 0; tick < 200; tick += 3) {
+      Bench b;
+      b.faults.latency = Seconds(roundTrip);
+      b.run(5.0);
+      safety::ReleaseWatch watch;
+      watch.set();
+      b.link->apply(b.gate.set(83.0), b.clock.now());
+      b.run(0.005 * tick);
+      b.link->release(b.clock.now());
+      watch.release(b.clock.now());
+      for (int k = 0; k < 1000 && watch.notYetBack(); ++k) watch.look(b.run(0.005));
+      EXPECT_FALSE(watch.notYetBack()) << roundTrip << " " << tick;
+      EXPECT_EQ(b.grbl.spindle, 100) << roundTrip << " " << tick;
+      EXPECT_EQ(b.grbl.feed, 100) << roundTrip << " " << tick;
+    }
   }
 }
 

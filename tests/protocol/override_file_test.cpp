@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/bounded_wait.h"
 #include "tests/support/child.h"
 
 namespace stillcut::app {
@@ -40,6 +41,19 @@ TEST(OverrideFile, IsThereForTheNextProgramAndGoneWhenNothingStandsAnyMore) {
     memory.forget();
   }
   EXPECT_FALSE(fs::exists(file));
+}
+
+// A disk that was full, or a share that was away.
+TEST(OverrideFile, WhatCouldNotBeWrittenIsWrittenLater) {
+  const TemporaryFolder folder;
+  const std::string place = folder.file("overrides");
+  std::ofstream(place) << "a file where the folder has to be";
+  OverrideFile memory(place, "grbl");
+  memory.keep(kSent);
+  ASSERT_FALSE(cnc::testing::within(Seconds(0.1), [&] { return fs::is_regular_file(memory.file()); }));
+  fs::remove(place);
+  EXPECT_TRUE(cnc::testing::within(Seconds(20.0), [&] { return fs::is_regular_file(memory.file()); }));
+  EXPECT_EQ(OverrideFile(place, "grbl").left(), kSent);
 }
 
 TEST(OverrideFile, WhatIsNoRecordSaysNothing) {

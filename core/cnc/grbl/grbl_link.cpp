@@ -13,9 +13,11 @@ namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(500);
 constexpr Duration kConnectTime = std::chrono::seconds(1);
-constexpr Duration kPatience = std::chrono::milliseconds(150);  // grblHAL answers after 30 ms; a '?' may go unanswered
-constexpr Seconds kPeriod{0.2};                                 // one that went unanswered, and the answer to the next
-constexpr Seconds kSenderPeriod{0.4};                           // a sender asks every 250 ms
+// Until the next question, where one is not answered; twice the round trip where that is longer. grblHAL answers after
+// 30 ms; a '?' may go unanswered.
+constexpr Duration kLeastPatience = std::chrono::milliseconds(150);
+constexpr Seconds kPeriod{0.2};        // one that went unanswered, and the answer to the next
+constexpr Seconds kSenderPeriod{0.4};  // a sender asks every 250 ms
 constexpr int kMostMissed = 4;
 constexpr int kReadsAtOnce = 16;  // of 512 bytes: a peer may flood
 constexpr Duration kWordsEvery = std::chrono::milliseconds(500);
@@ -70,8 +72,19 @@ Status GrblLink::open() {
   return Done{};
 }
 
+Duration GrblLink::patience() const noexcept {
+  return std::max(kLeastPatience, toDuration(2.0 * roundTrip_.typical()));
+}
+
+// The operator's values were seen, by an answer that knows of all that was sent.
+bool GrblLink::confirmed() const noexcept {
+  return settled_ && !speed_.adrift && !feed_.adrift && speed_.baseConfirmed() && feed_.baseConfirmed();
+}
+
 // Nothing that was known is: as after a connection that broke.
 void GrblLink::forget() noexcept {
+  pending_.clear();
+  olderAnswers_ = 0;
   speed_.lost();
   feed_.lost();
   waiting_ = ever_ = wordsKnown_ = false;
@@ -127,13 +140,19 @@ void GrblLink::listen(Instant now) noexcept {
 }
 
 void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
+  const Instant came = std::max(now, clock_.now());
+  const std::optional<Instant> question = pending_.answered(came);
+  if (question) roundTrip_.take(secondsBetween(*question, came));
+  if (now - moved_ > PendingQuestions::kLongestTrip) olderAnswers_ = 0;
+  const bool older = question && olderAnswers_ > 0;
+  if (older) --olderAnswers_;
   // GRBL writes a report before it takes the steps that came with the question: only the answer to a later question
   // shows what was lost on the way.
-  const bool sinceMove = waiting_ && asked_ >= moved_;
+  const bool sinceMove = question && !older;
   const bool sure = sinceMove && answersSinceMove_ > 0;
   if (sinceMove) ++answersSinceMove_;
-  if (std::exchange(waiting_, false)) roundTrip_.take(secondsBetween(askedAt_, std::max(now, clock_.now())));
-  if (heard_ != Instant{} && now - heard_ > kPatience) {
+  waiting_ = false;
+  if (heard_ != Instant{} && now - heard_ > patience()) {
     for (Axis* axis : {&speed_, &feed_}) axis->blind(now - heard_, now);
   }
   missed_ = 0;
@@ -141,24 +160,25 @@ void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
   opened_.reset();
   heard_ = now;
   report_ = report;
-  if (!report.speedOverride) return;
-  shownAt_ = now;
+  if (!report.speedOverride || older) return;
   if (sure) speed_.adrift = feed_.adrift = false;
   speed_.seen(*report.speedOverride, now);
   feed_.seen(*report.feedOverride, now);
   settled_ = settled_ || (speed_.settled() && feed_.settled());
   if (sure && !settled_) resynchronise();
+  const bool stands = settled_ && !speed_.adrift && !feed_.adrift;
+  if (!question || stands) shownAt_ = question.value_or(now);
 }
 
 void GrblLink::ask(Instant now) noexcept {
-  if (waiting_ && now - asked_ <= kPatience) return;
+  if (waiting_ && now - asked_ <= patience()) return;
   if (waiting_ && !starting(now) && ++missed_ > kMostMissed) {
     if (!settings_.wire.host.empty()) return drop(now);
     forget();
   }
   waiting_ = true;
   asked_ = now;
-  askedAt_ = std::max(now, clock_.now());
+  pending_.asked(std::max(now, clock_.now()));
   // A board that starts is asked by the byte that needs no line.
   const bool words = settings_.askWords && ever_ && now - askedWords_ > kWordsEvery;
   if (words) askedWords_ = now;
@@ -204,8 +224,14 @@ void GrblLink::move(Axis& knob, unsigned char firstByte, Instant now) noexcept {
   }
   knob.sent(steps.percent, now);
   knob.adrift = false;
+  stepped(now);
+}
+
+// From here on only answers to later questions tell where the overrides stand.
+void GrblLink::stepped(Instant now) noexcept {
   settled_ = false;
   answersSinceMove_ = 0;
+  olderAnswers_ = pending_.count(now);
   moved_ = now;
 }
 
@@ -274,13 +300,13 @@ void GrblLink::release(Instant now) noexcept {
   // First: what is wanted and has not been sent yet would be sent after all.
   speed_.relinquish();
   feed_.relinquish();
-  if (speed_.atBase() && feed_.atBase()) return;
+  if (speed_.atBase() && feed_.atBase() && !speed_.adrift && !feed_.adrift) return;
   releaseBudget_.run(
-      now, kWait, [&] { return speed_.baseConfirmed() && feed_.baseConfirmed(); }, [&](Instant at) { tick(at); });
+      now, kWait, [&] { return confirmed(); }, [&](Instant at) { tick(at); });
   // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left; not over an operator who chose less.
-  if (wire_->state() != WireState::Open) return;
+  if (wire_->state() != WireState::Open || confirmed()) return;
   const auto toProgrammed = [&](Axis& axis, unsigned char byte) {
-    if (axis.baseConfirmed() || axis.base().value < 1.0) return false;
+    if ((axis.baseConfirmed() && !axis.adrift) || axis.base().value < 1.0) return false;
     const char c = static_cast<char>(byte);
     if (!wire_->write({&c, 1})) return false;
     axis.sent(100, now);
@@ -288,10 +314,7 @@ void GrblLink::release(Instant now) noexcept {
   };
   const bool feedSent = toProgrammed(feed_, kGrblFeedBytes);
   const bool speedSent = toProgrammed(speed_, kGrblSpindleBytes);
-  if (!feedSent && !speedSent) return;
-  settled_ = false;
-  answersSinceMove_ = 0;
-  moved_ = now;
+  if (feedSent || speedSent) stepped(now);
 }
 
 }  // namespace stillcut::cnc

@@ -1,15 +1,16 @@
 // GrblLink: GRBL 1.1 and grblHAL over a serial wire. It asks '?' every few milliseconds and moves the overrides by
 // their real-time bytes, which have no reply: an override is known only when "Ov:" shows it, so each round sends at
 // most one step of a kind and waits until it shows; where it does not show, the next is to 100 %, which has a byte of
-// its own, and not one more step from a place that nobody knows. On every end the overrides go back; 100 % has bytes of
-// its own, which work whatever was lost on the way. FS is what is programmed, not what turns: a plain GRBL reports no
-// measured speed (actualSpeed stays 0, and LinkTimes::speed at never).
-// Many boards start anew when their port opens, and are deaf for up to 3 s: the port is opened once and handed from
-// open() to the link thread, and while the boot time lasts silence is no fault. A serial port that is open stays so
-// through any silence, because opening it again would start the board again; a TCP connection is made anew.
-// The port belongs to whoever streams the program, so this needs a controller
-// with a second stream, or a sender that shares it. The controller has no watchdog: describe() says so. Thread: as
-// CncLink says; a tick waits at most kWait; all of letting go takes at most kReleaseTime.
+// its own, and not one more step from a place that nobody knows. On a slow wire answers to questions from before a step
+// come after it: they say nothing of what the step has done, and are told by their number. On every end the overrides
+// go back; 100 % has bytes of its own, which work whatever was lost on the way. FS is what is programmed, not what
+// turns: a plain GRBL reports no measured speed (actualSpeed stays 0, and LinkTimes::speed at never). Many boards start
+// anew when their port opens, and are deaf for up to 3 s: the port is opened once and handed from open() to the link
+// thread, and while the boot time lasts silence is no fault. A serial port that is open stays so through any silence,
+// because opening it again would start the board again; a TCP connection is made anew. The port belongs to whoever
+// streams the program, so this needs a controller with a second stream, or a sender that shares it. The controller has
+// no watchdog: describe() says so. Thread: as CncLink says; a tick waits at most kWait; all of letting go takes at most
+// kReleaseTime.
 #pragma once
 
 #include <chrono>
@@ -21,6 +22,7 @@
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
 #include "core/cnc/grbl/grbl_status.h"
+#include "core/cnc/grbl/pending_questions.h"
 #include "core/cnc/line_splitter.h"
 #include "core/cnc/release_budget.h"
 #include "core/cnc/shared_override.h"
@@ -61,6 +63,8 @@ class GrblLink final : public CncLink {
   void listen(Instant now) noexcept;
   void takeReport(const GrblReport& report, Instant now) noexcept;
   void ask(Instant now) noexcept;
+  Duration patience() const noexcept;
+  bool confirmed() const noexcept;
   void moveOverrides(Instant now) noexcept;
   struct Axis : SharedOverride {
     Axis()
@@ -71,6 +75,7 @@ class GrblLink final : public CncLink {
   };
   void resynchronise() noexcept;
   void move(Axis& knob, unsigned char firstByte, Instant now) noexcept;
+  void stepped(Instant now) noexcept;
   void forget() noexcept;
   void drop(Instant now) noexcept;
   bool starting(Instant now) const noexcept { return !ever_ && opened_ && now - *opened_ <= kBootTime; }
@@ -88,8 +93,10 @@ class GrblLink final : public CncLink {
   int answersSinceMove_ = 0;  // to questions asked after the last step
   bool waiting_ = false;      // for a report
   int missed_ = 0;
-  Instant asked_{}, askedWords_{}, heard_{}, nextTry_{}, moved_{}, shownAt_{}, toldWords_{};
-  Instant askedAt_{};  // by the clock, for the round trip
+  Instant asked_{}, askedWords_{}, heard_{}, nextTry_{}, moved_{}, toldWords_{};
+  Instant shownAt_{};  // when the question was asked whose answer has shown the overrides as they stand
+  PendingQuestions pending_;
+  std::size_t olderAnswers_ = 0;  // that may still come to questions from before the last step
   DelayGauge roundTrip_;
   ReleaseBudget releaseBudget_;
   bool ever_ = false;              // it was heard since it was last lost
