@@ -7984,6 +7984,10 @@
         <source>ended</source>
         <translation>beendet</translation>
     </message>
+    <message>
+        <source>Nothing was measured along %1: taken as rigid there. The true limit may be far lower; measure it first.</source>
+        <translation>Entlang %1 wurde nichts gemessen: dort als starr angenommen. Die wahre Grenze kann viel kleiner sein; zuerst messen.</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>

@@ -7984,6 +7984,10 @@
         <source>ended</source>
         <translation>已结束</translation>
     </message>
+    <message>
+        <source>Nothing was measured along %1: taken as rigid there. The true limit may be far lower; measure it first.</source>
+        <translation>沿 %1 未测量：按刚性处理。真实极限可能低得多；请先测量。</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>

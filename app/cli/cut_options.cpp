@@ -1,5 +1,6 @@
 #include "app/cli/cut_options.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -132,6 +133,17 @@ void addCutOptions(CLI::App& command, CutOptions& o) {
       ->excludes("--engagement");
 }
 
+// A tap test along one axis says nothing of the other.
+void warnOfRigidAxis(const std::vector<milling::Mode>& modes) {
+  for (const std::size_t axis : {0U, 1U}) {
+    const auto moves = [axis](const milling::Mode& m) { return m.direction[axis] != 0.0; };
+    if (modes.empty() || std::any_of(modes.begin(), modes.end(), moves)) continue;
+    std::fprintf(stderr,
+                 "warning: nothing was measured along %s: taken as rigid there, and the true limit may be far lower\n",
+                 axis == 0 ? "x" : "y");
+  }
+}
+
 Result<CutFile> readCut(const CutOptions& o) {
   auto parts = readParts(o);
   if (!parts) return parts.error();
@@ -139,6 +151,7 @@ Result<CutFile> readCut(const CutOptions& o) {
   if (!o.responses.empty()) {
     if (const Status ok = takeResponses(o, parts.value(), measured); !ok) return ok.error();
   }
+  warnOfRigidAxis(parts->modes);
   Result<CutFile> cut = loadCutFile(o.file, *parts);
   if (!cut) return cut;
   if (!o.responses.empty()) cut->measured = std::move(measured);

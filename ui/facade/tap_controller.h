@@ -123,6 +123,7 @@ struct TapLobes {
   Metres depth{}, anySpeed{};  // and that at every speed of the range
   double removal = 0.0;        // [m3/s]
   bool open = false;           // the tool's own length ends it, not chatter
+  int rigid = -1;              // axis along which nothing was measured; -1: both were
   // Without a hammer: speeds whose tooth passing meets the modes, to be tried; no depth can be told.
   std::vector<TapSpeed> toTry;
   std::uint32_t version = 0;

@@ -17,9 +17,29 @@ namespace stillcut::app {
 void TapBench::openFiles(const QStringList& paths) {
   if (paths.isEmpty()) return;
   stopListening();
-  files_ = paths;
-  without_ = {};
-  readFiles();
+  const bool measured = std::any_of(axes_.begin(), axes_.end(), [](const Axis& axis) { return axis.test.has_value(); });
+  if (!files_.isEmpty() || !measured) {
+    files_ = paths;
+    without_ = {};
+    return readFiles();
+  }
+  // What was measured here goes only when there is something in its place.
+  std::vector<std::string> names;
+  for (const QString& path : paths) names.push_back(path.toStdString());
+  reading_.start(
+      ui::TaskState::What::Reading, paths.front(),
+      [this, names, paths](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        if (auto read = fromFiles(names, {}); !read) return read.error();
+        return BackgroundTask::Apply([this, paths] {
+          files_ = paths;
+          without_ = {};
+          readFiles();
+        });
+      },
+      [this](const Error& error) {
+        listening_.state = ui::TapListening::State::Failed;
+        listening_.problem = ui::sayError(error);
+      });
 }
 
 void TapBench::readFiles() {
@@ -105,13 +125,18 @@ void TapBench::computeAnew() {
   }
   lobes_.state = ui::TapLobes::State::Working;
   stopLobes_ = std::stop_source();
+  int rigid = -1;
+  for (int a = 0; a < ui::kTapAxes; ++a) {
+    if (tickedModes(axisOf(a).known, a).empty()) rigid = a;
+  }
   const TapMaterialRow& material = tapMaterial(asked_->material.toStdString());
   computing_.start(ui::TaskState::What::None, {},
-                   [this, all, material, cut = *asked_,
+                   [this, all, material, rigid, cut = *asked_,
                     stop = stopLobes_.get_token()](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
                      auto found = tapLobes(all, material.material, material.spread, cut, stop);
-                     return BackgroundTask::Apply([this, found = std::move(found)]() mutable {
+                     return BackgroundTask::Apply([this, rigid, found = std::move(found)]() mutable {
                        found.version = ++versions_;
+                       found.rigid = rigid;
                        lobes_ = std::move(found);
                      });
                    });

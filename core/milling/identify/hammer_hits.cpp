@@ -45,18 +45,31 @@ std::vector<Pulse> findPulses(const std::vector<double>& force, double level) {
   return pulses;
 }
 
-// A flat top: at least four samples in a row at the very same largest size cannot come from a round pulse.
-bool isClipped(const std::vector<double>& signal, std::size_t begin, std::size_t end, double limit) {
+// Where nobody says the limit of the input: a flat top. A round one holds its very largest value once, or twice where
+// two samples lie even on both sides of it: three in a row are none. A response that rings meets the limit again and
+// again: three samples anywhere. Values that are coarse (an oscilloscope's 8 bits) are equal without any limit: there
+// it takes four in a row.
+constexpr double kSame = 1e-6;    // of the largest
+constexpr double kCoarse = 1e-3;  // of the largest, between two values
+constexpr int kFlatCoarse = 4, kFlatForce = 3, kFlatResponse = 3;
+
+bool isClipped(const std::vector<double>& signal, std::size_t begin, std::size_t end, double limit, bool rings) {
   double largest = 0.0;
   for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, std::abs(signal[i]));
   if (largest == 0.0) return false;
   if (limit > 0.0) return largest >= limit;
-  int run = 0;
+  double step = largest;
+  int run = 0, longest = 0, all = 0;
   for (std::size_t i = begin; i < end; ++i) {
-    run = std::abs(signal[i]) >= largest * (1.0 - 1e-6) ? run + 1 : 0;
-    if (run >= 4) return true;
+    const bool top = std::abs(signal[i]) >= largest * (1.0 - kSame);
+    run = top ? run + 1 : 0;
+    longest = std::max(longest, run);
+    all += top ? 1 : 0;
+    const double difference = i > begin ? std::abs(signal[i] - signal[i - 1]) : 0.0;
+    if (difference > 0.0) step = std::min(step, difference);
   }
-  return false;
+  if (step > kCoarse * largest) return longest >= kFlatCoarse;
+  return rings ? all >= kFlatResponse : longest >= kFlatForce;
 }
 
 double halfWidth(const std::vector<double>& force, std::size_t peak, double rate) {
@@ -107,8 +120,8 @@ std::vector<FoundHit> findHits(const HammerRecord& record, const HammerOptions& 
     found.hit.peakForce = force[pulse.peak];
     found.hit.width = halfWidth(force, pulse.peak, record.rate);
     found.hit.doubleHit = hasSecondPulse(force, pulse, found.end, options.doubleHit);
-    found.hit.forceOverload = isClipped(force, found.begin, found.end, options.overload);
-    found.hit.responseOverload = isClipped(record.response, found.begin, found.end, options.overload);
+    found.hit.forceOverload = isClipped(force, found.begin, found.end, options.overload, false);
+    found.hit.responseOverload = isClipped(record.response, found.begin, found.end, options.overload, true);
     hits.push_back(found);
   }
   return hits;

@@ -89,6 +89,7 @@ class Selection {
       : lines_(lines), poles_(std::move(poles)), wanted_(wanted) {}
 
   void run() {
+    if (poles_.empty()) return;  // nothing resonates steadily, as in a recording of a cut
     misfit_ = refinePoles(lines_, poles_, kIterations);
     while (!poles_.empty()) {
       const int unphysical = findUnphysical();

@@ -1,7 +1,11 @@
 #include "core/milling/identify/modal_measurement.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "core/milling/identify/response_unit.h"
@@ -101,6 +105,31 @@ Result<ModalAnswer> measureResponses(const std::vector<std::string>& paths, cons
   return answer;
 }
 
+namespace {
+
+// A wrong unit or scale gives numbers that no tool has. Nobody is refused: it may be a workpiece.
+std::vector<Message> whatNoToolHas(const AxisModes& axis) {
+  std::vector<Message> remarks;
+  constexpr double kLongestHit = 0.02;  // [s]; a soft tip on a heavy part takes 5 ms
+  for (const Hit& hit : axis.hits) {
+    if (hit.width < kLongestHit) continue;
+    remarks.push_back(message("a hit is %1 ms wide, and no hammer's is: is the time of the file in seconds?",
+                              std::lround(1e3 * hit.width)));
+    break;
+  }
+  double softest = std::numeric_limits<double>::infinity();
+  for (const IdentifiedMode& m : axis.fit.modes) softest = std::min(softest, m.mode.stiffness);
+  if (softest < kSoftestTool || (std::isfinite(softest) && softest > kStiffestTool)) {
+    char stiffness[16];
+    std::snprintf(stiffness, sizeof stiffness, "%.2g", softest);
+    remarks.push_back(message("the softest mode has %1 N/m, and tools have 1e5 to 1e9: are the units right?",
+                              std::string(stiffness)));
+  }
+  return remarks;
+}
+
+}  // namespace
+
 Result<ModalAnswer> identifyModes(const std::vector<std::string>& paths, const ModalRequest& request) {
   auto answer = measureResponses(paths, request);
   if (!answer) return answer;
@@ -116,6 +145,7 @@ Result<ModalAnswer> identifyModes(const std::vector<std::string>& paths, const M
     if (!fit) return fit.error();
     axis.remarks.insert(axis.remarks.end(), fit->remarks.begin(), fit->remarks.end());
     axis.fit = std::move(*fit);
+    for (Message& remark : whatNoToolHas(axis)) axis.remarks.push_back(std::move(remark));
   }
   return answer;
 }

@@ -166,6 +166,24 @@ TEST(Hammer, WeakReboundIsADoubleHitToo) {
   EXPECT_NE(got.error().line().find("double hit"), std::string::npos) << got.error().line();
 }
 
+// A hit of 0.25 ms has six samples, and a flat top of three.
+TEST(Hammer, AShortHitThatIsClippedIsOverloadAndARoundOneIsNot) {
+  for (const double width : {0.24e-3, 0.28e-3, 0.32e-3, 1e-3}) {  // samples even on both sides of the peak, and not
+    Structure s(1.0);
+    s.hit(0.1, 200.0, width);
+    EXPECT_TRUE(analyseHammer({s.record()}, {}).ok()) << width;
+    HammerRecord clipped = s.record();
+    for (double& v : clipped.force) v = std::min(v, 100.0);
+    EXPECT_FALSE(analyseHammer({clipped}, {}).ok()) << width;
+    // The accelerometer is at its limit for one or two samples at a time, and again and again.
+    HammerRecord response = s.record();
+    double most = 0.0;
+    for (const double v : response.response) most = std::max(most, std::abs(v));
+    for (double& v : response.response) v = std::clamp(v, -0.5 * most, 0.5 * most);
+    EXPECT_FALSE(analyseHammer({response}, {}).ok()) << width;
+  }
+}
+
 TEST(Hammer, OverloadIsSeenByItsFlatTopOrByTheLimit) {
   Structure s(1.0);
   s.hit(0.1, 200.0, 2e-3);

@@ -9,6 +9,7 @@
 #include "core/milling/identify/modal_band.h"
 #include "core/milling/identify/modal_measurement.h"
 #include "core/session/open_recording.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::identify {
 namespace {
@@ -328,6 +329,45 @@ TEST_P(TapTest, TurnedAccelerometerIsNamedAndTurnedBack) {
   const auto got = identifyModes({path()}, request);
   ASSERT_FALSE(got.ok());
   EXPECT_NE(got.error().line().find("flip"), std::string::npos) << got.error().line();
+}
+
+// The label of a column may be wrong by a thousand: the numbers are given, and doubted.
+TEST(ModalFit, AStiffnessThatNoToolHasIsDoubted) {
+  const record::TempFolder folder;
+  const Frf tip = compliance({{Hertz(900.0), 0.03, 2e7}}, 200.0, 2000.0, 1.0);
+  for (const char* unit : {"m/N", "um/N"}) {
+    std::string text = std::string("frequency (Hz),real (") + unit + "),imag (" + unit + ")\n";
+    for (std::size_t k = 0; k < tip.frequency.size(); ++k) {
+      char line[96];
+      std::snprintf(line, sizeof line, "%.1f,%.9g,%.9g\n", tip.frequency[k], tip.value[k].real(), tip.value[k].imag());
+      text += line;
+    }
+    folder.file("frf.csv", text);
+    const auto got = identifyModes({folder / "frf.csv"}, {});
+    ASSERT_TRUE(got.ok()) << got.error().line();
+    bool doubted = false;
+    for (const Message& remark : got->axes[0].remarks)
+      doubted = doubted || remark.form.find("units right") != std::string::npos;
+    EXPECT_EQ(doubted, std::string(unit) == "um/N");
+  }
+}
+
+// A recording of a cut, taken for a tap test: no mode in it, and one line that says so.
+TEST(ModalFit, WhatDoesNotResonateIsOneLine) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> gauss(0.0, 1.0);
+    Frf frf;
+    for (int k = 1; k < 2000; ++k) {
+      frf.frequency.push_back(2.0 * k);
+      frf.value.emplace_back(1e-8 * gauss(random), -1e-8 * std::abs(gauss(random)));
+    }
+    ModalOptions options;
+    options.from = 100.0;
+    options.to = 3000.0;
+    const auto got = fitModes(frf, options);
+    EXPECT_EQ((got.ok() ? std::string() : got.error().line()).find('\n'), std::string::npos);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, TapTest,

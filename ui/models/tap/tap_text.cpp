@@ -91,6 +91,7 @@ TapSign tapSign(const TapController& controller) {
                 .join(QStringLiteral(", ")),
             Tone::Normal};
   }
+  if (controller.listening().state == TapListening::State::Failed) return listeningSign(controller.listening());
   const TapRun run = controller.run();
   const QString count = say("%1 of %2 good hits along %3").arg(run.good).arg(run.wanted).arg(axisName(run.axis));
   switch (run.phase) {
@@ -195,6 +196,12 @@ TapSign tapAnswer(const TapLobes& lobes, UnitSystem units) {
   QString detail = say("Removes %1. At any speed only %2 deep.")
                        .arg(removalText(lobes.removal, units), depthText(lobes.anySpeed, units));
   detail += QLatin1Char(' ');
+  if (lobes.rigid >= 0) {
+    detail +=
+        say("Nothing was measured along %1: taken as rigid there. The true limit may be far lower; measure it first.")
+            .arg(axisName(lobes.rigid));
+    return {at, detail, Tone::Onset};
+  }
   detail += lobes.open ? say("The tool's length ends it, not chatter.")
                        : say("Nine times in ten the true limit lies deeper; a tenth is taken off besides.");
   return {at, detail, Tone::Advice};

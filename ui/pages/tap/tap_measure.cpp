@@ -135,8 +135,10 @@ void TapMeasure::refresh(int axis, UnitSystem) {
   detail_->setVisible(!sign.detail.isEmpty());
   begin_->setEnabled(runs && listening.response >= 0);
   const bool withForce = controller_.files().isEmpty() ? listening.force >= 0 : controller_.response(axis).withForce;
+  const int before = hits_.rowCount();
   hits_.show(hitHeader(withForce), hitRows(controller_.hits(axis), withForce));
-  if (hits_.rowCount() > 0) table_->scrollToBottom();
+  // To a new one; who looks at an older one stays there.
+  if (hits_.rowCount() > before) table_->scrollToBottom();
 }
 
 }  // namespace stillcut::ui
