@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kBlock_s = 0.005;               // as recordings are read
 constexpr Hertz kSlowest{100.0}, kFastest{1e6};  // nothing beyond can be judged
+constexpr int kMostTeeth = 200;
 constexpr const char* kWhere = "samples";
 
 Status check(const CutSetup& setup) {
@@ -21,10 +22,15 @@ Status check(const CutSetup& setup) {
     return Error{kWhere, message("have %1 channels, more than are judged at once", setup.channels.size()),
                  message("at most 32")};
   }
-  if (setup.rate < kSlowest || setup.rate > kFastest)
+  if (!(setup.rate >= kSlowest && setup.rate <= kFastest))
     return Error{kWhere, message("have a rate that no vibration is judged at"), message("100 to 1000000 a second")};
-  if (setup.teeth < 0 || setup.nominalSpeed.value < 0.0)
-    return Error{kWhere, message("number of teeth or speed is below 0")};
+  if (setup.teeth < 0 || setup.teeth > kMostTeeth) return Error{"teeth", message("must be 0 (not known) to 200")};
+  if (!(setup.nominalSpeed.value >= 0.0 && setup.nominalSpeed.value <= 1e6))
+    return Error{"speed", message("must be 0 (not known) to 1e6 rev/min")};
+  for (const ChannelInfo& channel : setup.channels) {
+    if (!(channel.scale > 0.0) || !isFinite(Ratio(channel.scale)))
+      return Error{"scale", message("must be above 0 and finite")};
+  }
   return Done{};
 }
 

@@ -47,7 +47,12 @@ std::vector<float> without(const std::vector<LeftOutChannel>& leftOut, std::span
 BlockRunOptions optionsOf(const Sampled& about, const std::vector<std::string>& detectors, const Settings& settings) {
   BlockRunOptions options;
   const auto quantity = sensorQuantityFromName(about.quantity);
-  if (!quantity) throw std::invalid_argument("sensor '" + about.quantity + "' is not known");
+  if (!quantity) {
+    throw std::invalid_argument("sensor '" + about.quantity +
+                                "' is none of acceleration, velocity, displacement, sound, force, current, speed");
+  }
+  if (about.channels < 1 || about.channels > kMaxChannels)
+    throw std::invalid_argument("channels: " + std::to_string(about.channels) + " (1 to 32)");
   options.setup.rate = Hertz(about.rate);
   options.setup.teeth = about.teeth;
   options.setup.nominalSpeed = Rpm(about.speed);
@@ -60,7 +65,8 @@ BlockRunOptions optionsOf(const Sampled& about, const std::vector<std::string>& 
   }
   options.detectors = detectors;
   const config::ParamCatalog catalog = pipeline::fullCatalog();
-  for (const auto& [key, value] : settings) valueOf(config::applySetting(options.params, catalog, key + "=" + value));
+  for (const auto& [key, value] : settings)
+    valueOf(config::applySetting(options.params, catalog, key + "=" + value, "parameters"));
   return options;
 }
 

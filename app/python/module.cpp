@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <mutex>
 #include <utility>
 
 #include "app/python/answer.h"
@@ -57,6 +58,7 @@ class Fed {
     const std::span<const float> all = spanOf(samples);
     {
       const py::gil_scoped_release others;
+      const std::scoped_lock turn(one_);  // one thread at a time, whatever Python's do
       run_->feed(all, Rpm(measured),
                  [&verdicts](const StepInput&, const StepOutput& out) { verdicts.push_back(out.verdicts.front()); });
     }
@@ -87,6 +89,7 @@ class Fed {
   }
 
   std::unique_ptr<BlockRun> run_;
+  std::mutex one_;
 };
 
 milling::CutModel modelOf(const py::dict& cut) {

@@ -25,6 +25,7 @@ class MtConnectAdapter final : public Listener {
   int port() const { return port_; }
 
   void hear(const nlohmann::json& line) override;
+  void recall(const nlohmann::json& line) override { hear(line); }
   void addEntries(std::vector<pollfd>& entries) const override;
   void turn() override;
 

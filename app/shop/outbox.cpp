@@ -113,9 +113,11 @@ std::uint64_t Outbox::add(const ShopMessage& told) {
   sqlite3_stmt* insert = prepared("INSERT INTO box VALUES(?,?,?,?)");
   put(insert, 1, newest_);
   put(insert, 2, told.topic);
-  put(insert, 3, payload.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  const std::string text = payload.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  put(insert, 3, text);
   sqlite3_bind_int(insert, 4, told.retained ? 1 : 0);
   if (step(insert)) ++waiting_;
+  setNote("newest " + told.topic, text);
   return newest_;
 }
 

@@ -52,6 +52,8 @@ class Outbox {
   bool takeLine(std::int64_t run, std::uint64_t line);
 
   std::string note(std::string_view key) const;  // "": none
+  // The payload of the newest message of a topic, also when the broker has it; "": there was none.
+  std::string newestOf(const std::string& topic) const { return note("newest " + topic); }
   std::vector<Kept> after(std::uint64_t sequence, int atMost) const;
 
  private:

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t kLinesAtOnce = 500;
 constexpr int kLook = 1000;  // ms
+// Notes: lines as they came, for listeners of the next start.
+constexpr const char *kStartLine = "start_line", *kNewestLine = "newest_line";
 
 std::int64_t steadyMs() {
   return toNs(SteadyClock().now()) / 1'000'000;
@@ -33,6 +35,11 @@ ShopLoop::ShopLoop(Parts parts, std::function<void(const std::string&)> say)
   if (memory.is_object()) translator_.recall(memory);
   run_ = std::strtoll(parts_.outbox.note("run").c_str(), nullptr, 10);
   newestUtcMs_ = std::strtoll(parts_.outbox.note("newest_utc_ms").c_str(), nullptr, 10);
+  for (const char* note : {kStartLine, kNewestLine}) {
+    const auto line = nlohmann::json::parse(parts_.outbox.note(note), nullptr, false);
+    if (!line.is_object()) continue;
+    for (Listener* listener : parts_.listeners) listener->recall(line);
+  }
 }
 
 // A source that has no place of its own (a journal, read from two days back) begins in the middle of some run. Until a
@@ -55,14 +62,19 @@ Status ShopLoop::takeLines() {
   if (lines->empty()) return Done{};
   Outbox& outbox = parts_.outbox;
   outbox.begin();
+  const SourceLine* newest = nullptr;
   for (const SourceLine& source : *lines) {
     const auto line = nlohmann::json::parse(source.text, nullptr, false);
     if (!isLineOfARun(line)) continue;  // of another program, or half a line after a crash
     if (!isOfKnownRun(line) || !outbox.takeLine(run_, line["sequence"].get<std::uint64_t>())) continue;
     newestUtcMs_ = line["utc_ms"].get<std::int64_t>();
+    const std::string type = line["type"];
+    if (type == "start") outbox.setNote(kStartLine, source.text);
+    if (type != "event" && type != "marker" && type != "note") newest = &source;
     for (const ShopMessage& told : translator_.take(line)) outbox.add(told);
     for (Listener* listener : parts_.listeners) listener->hear(line);
   }
+  if (newest != nullptr) outbox.setNote(kNewestLine, newest->text);
   outbox.setNote("cursor", lines->back().cursor);
   outbox.setNote("run", std::to_string(run_));
   outbox.setNote("newest_utc_ms", std::to_string(newestUtcMs_));

@@ -89,7 +89,9 @@ SparkplugSender::SparkplugSender(const BrokerOptions& options, std::string group
       node_(std::move(node)),
       root_(std::move(root)),
       outbox_(outbox),
-      births_(std::strtoull(outbox.note("births").c_str(), nullptr, 10)) {}
+      births_(std::strtoull(outbox.note("births").c_str(), nullptr, 10)) {
+  recall();
+}
 
 std::string SparkplugSender::topic(const char* type) const {
   return "spBv1.0/" + group_ + "/" + type + "/" + node_;
@@ -160,30 +162,41 @@ void SparkplugSender::bear() {
   client_.publish(topic("NBIRTH"), encode(birth), 0, false);
 }
 
+// One metric of a message, under its alias.
+Metric SparkplugSender::metricOf(std::size_t row, const json& message, const std::string& payload) const {
+  Metric m;
+  m.alias = row + 1;
+  m.hasAlias = true;
+  m.type = kRows[row].type;
+  m.utcMs = message.is_object() ? message.value("utc_ms", std::int64_t{0}) : 0;
+  m.historical = m.utcMs < bornUtcMs_ - 1000;
+  const auto field = message.find(kRows[row].field);
+  if (*kRows[row].field == '\0') {
+    m.value = payload;
+  } else if (field != message.end() && field->is_string()) {
+    m.value = field->get<std::string>();
+  } else if (field != message.end() && field->is_number()) {
+    m.value = field->get<double>();
+  }
+  return m;
+}
+
+// A birth certificate tells every metric, also what was told before this program began again.
+void SparkplugSender::recall() {
+  for (std::size_t k = 0; k < kRows.size(); ++k) {
+    const std::string payload = outbox_.newestOf(kRows[k].topic);
+    if (!payload.empty()) known_[kRows[k].name] = metricOf(k, json::parse(payload, nullptr, false), payload);
+  }
+}
+
 Payload SparkplugSender::dataOf(const Outbox::Kept& kept) {
   const json message = json::parse(kept.payload, nullptr, false);
   const std::int64_t utcMs = message.is_object() ? message.value("utc_ms", std::int64_t{0}) : 0;
   sequence_ = (sequence_ + 1) % 256;
   Payload data{utcNowMs(), sequence_, {}};
   for (std::size_t k = 0; k < kRows.size(); ++k) {
-    const Row& row = kRows[k];
-    if (kept.topic != row.topic) continue;
-    Metric m;
-    m.alias = k + 1;
-    m.hasAlias = true;
-    m.type = row.type;
-    m.utcMs = utcMs;
-    m.historical = utcMs < bornUtcMs_ - 1000;
-    const auto field = message.find(row.field);
-    if (*row.field == '\0') {
-      m.value = kept.payload;
-    } else if (field != message.end() && field->is_string()) {
-      m.value = field->get<std::string>();
-    } else if (field != message.end() && field->is_number()) {
-      m.value = field->get<double>();
-    }
-    known_[row.name] = m;
-    data.metrics.push_back(std::move(m));
+    if (kept.topic != kRows[k].topic) continue;
+    data.metrics.push_back(known_[kRows[k].name] = metricOf(k, message, kept.payload));
   }
   Metric number = counter("", kSequenceAlias, kept.sequence, utcMs);
   number.historical = utcMs < bornUtcMs_ - 1000;

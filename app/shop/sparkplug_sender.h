@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <utility>
 
@@ -43,6 +44,8 @@ class SparkplugSender final : public Sender, private MqttClient::Owner {
   std::string death() const;
   void bear();
   void sendBatch();
+  void recall();
+  sparkplug::Metric metricOf(std::size_t row, const nlohmann::json& message, const std::string& payload) const;
   sparkplug::Payload dataOf(const Outbox::Kept& kept);
 
   MqttClient client_;

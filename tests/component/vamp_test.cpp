@@ -90,7 +90,8 @@ TEST_F(VampPlugin, ShowsWhereTheCutChatters) {
   options.setup.rate = Hertz(static_cast<double>(kRate));
   options.setup.teeth = kTeeth;
   options.setup.nominalSpeed = Rpm(kSpeed);
-  options.setup.channels = {{.name = "mic", .quantity = SensorQuantity::Sound}};
+  options.setup.channels.resize(1);
+  options.setup.channels[0].quantity = SensorQuantity::Sound;
   auto run = BlockRun::build(options);
   ASSERT_TRUE(run.ok()) << run.error().line();
   double first = 0.0;

@@ -79,7 +79,17 @@ class Analyze(unittest.TestCase):
             (lambda: stillcut.analyze([0.0] * 10, 1000.0, methods=["magic"]), "magic"),
             (lambda: stillcut.analyze([0.0] * 10, 1000.0, methods=[]), "one to"),
             (lambda: stillcut.analyze([0.0] * 10, 1000.0, parameters={"no.such": 1}), "no.such"),
-            (lambda: stillcut.analyze([0.0] * 10, 1000.0, teeth=-1), "below 0"),
+            (lambda: stillcut.analyze([0.0] * 10, 1000.0, teeth=-1), "teeth"),
+            (lambda: stillcut.analyze([0.0] * 10, 1000.0, teeth=1000), "200"),
+            (lambda: stillcut.analyze([0.0] * 10, 1000.0, teeth=4.7), "whole"),
+            (lambda: stillcut.analyze([0.0] * 10, 1000.0, speed=float("nan")), "speed"),
+            (lambda: stillcut.analyze([0.0] * 10, float("nan")), "rate"),
+            (lambda: stillcut.analyze([0.0] * 10, 1000.0, scale=0.0), "scale"),
+            (lambda: stillcut.analyze([0.0] * 10, 1000.0, sensor=None), "sensor"),
+            (lambda: stillcut.analyze([0.0] * 10, 1000.0, methods=[1]), "methods"),
+            (lambda: stillcut.analyze([0.0] * 10, 1000.0, parameters=["a"]), "mapping"),
+            (lambda: stillcut.Detector(rate=1000.0, channels=10**5), "32"),
+            (lambda: stillcut.Detector(rate=1000.0).feed([0.0], speed=-5), "speed"),
         ):
             with self.assertRaises(ValueError) as raised:
                 call()
@@ -120,6 +130,26 @@ class Detector(unittest.TestCase):
     def test_channels_are_counted(self):
         with self.assertRaises(ValueError):
             stillcut.Detector(rate=12800.0, channels=2).feed(numpy.zeros(64))
+
+    def test_what_is_masked_was_not_measured(self):
+        x = numpy.ma.masked_array(numpy.random.default_rng(4).standard_normal(12800), mask=numpy.arange(12800) > 6400)
+        verdicts = stillcut.Detector(rate=12800.0, teeth=2, speed=9000).feed(x)
+        self.assertEqual(verdicts[-1].state, "not-judged")
+
+    def test_two_threads_on_one_detector_wait_for_each_other(self):
+        fed = stillcut.Detector(rate=25600.0, teeth=2, speed=9000)
+        x = numpy.random.default_rng(3).standard_normal(256)
+        counts = []
+
+        def work():
+            counts.append(sum(len(fed.feed(x)) for _ in range(200)))
+
+        threads = [threading.Thread(target=work) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(sum(counts), 4 * 200 * 256 // 128)
 
     def test_threads_run_beside_each_other(self):
         x = numpy.random.default_rng(3).standard_normal(25600)
@@ -188,6 +218,8 @@ class FitModes(unittest.TestCase):
             stillcut.fit_modes([1.0, 2.0], [1j])
         with self.assertRaises(ValueError):
             stillcut.fit_modes([1.0, 2.0], [1j, 1j], quantity="stiffness")
+        with self.assertRaises(ValueError):
+            stillcut.fit_modes([2.0, 1.0], [1j, 1j])
 
 
 if __name__ == "__main__":

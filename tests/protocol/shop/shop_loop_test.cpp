@@ -44,8 +44,9 @@ class Heard final : public Listener {
  public:
   void hear(const json& line) override { lines.push_back(line["sequence"]); }
   void addEntries(std::vector<pollfd>& /*entries*/) const override {}
+  void recall(const json& line) override { recalled.push_back(line["sequence"]); }
   void turn() override {}
-  std::vector<int> lines;
+  std::vector<int> lines, recalled;
 };
 
 // Start and a line a second, numbered from 1.
@@ -69,6 +70,7 @@ class AShopLoop : public ::testing::Test {
     auto outbox = Outbox::open(folder_ / "box");
     ShopLoop loop({source, **outbox, nullptr, {&heard}, true}, [](const std::string&) {});
     EXPECT_TRUE(loop.run(-1, [] { return false; }).ok());
+    recalled_ = heard.recalled;
     topics_.clear();
     for (const Outbox::Kept& kept : (*outbox)->after(0, 1000)) {
       topics_.push_back(kept.topic);
@@ -77,6 +79,7 @@ class AShopLoop : public ::testing::Test {
     return heard.lines;
   }
   TempFolder folder_;
+  std::vector<int> recalled_;
   std::vector<std::string> topics_;
   std::vector<std::int64_t> runs_;
 };
@@ -96,6 +99,17 @@ TEST_F(AShopLoop, GoesOnWithARunWhoseStartIsNoLongerThere) {
   EXPECT_THAT(told({run.begin(), run.begin() + 6}), ElementsAre(1, 2, 3, 4, 5, 6));
   EXPECT_THAT(told({run.begin() + 3, run.begin() + 9}), ElementsAre(7, 8, 9));
   EXPECT_THAT(runs_, ::testing::Each(kBegan));
+}
+
+// For an agent that connects after a restart: tool and job of the run, and how it stands.
+TEST_F(AShopLoop, RecallsTheStartAndTheNewestLine) {
+  const auto run = aRun(kBegan, 12);
+  told({run.begin(), run.begin() + 6});
+  EXPECT_THAT(recalled_, IsEmpty());
+  told({run.begin() + 6, run.begin() + 9});
+  EXPECT_THAT(recalled_, ElementsAre(1, 6));
+  told({});
+  EXPECT_THAT(recalled_, ElementsAre(1, 9));
 }
 
 TEST_F(AShopLoop, TellsOfARunThatItMeetsInTheMiddle) {

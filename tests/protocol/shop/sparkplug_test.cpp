@@ -240,6 +240,26 @@ TEST_F(SparkplugNode, ANewProcessIsBornWithANumberOfItsOwn) {
   EXPECT_THAT(numbers, ::testing::ElementsAre(1, 2));
 }
 
+// All was delivered and has left the outbox: the birth of the next process tells it all the same.
+TEST_F(SparkplugNode, ANewProcessIsBornWithWhatWasToldBefore) {
+  const RealBroker broker(folder_ / "");
+  const Subscriber subscriber(broker.port(), "spBv1.0/+/NBIRTH/#");
+  write(10);
+  for (const std::size_t births : {1U, 2U}) {
+    std::vector<std::string> arguments = words(broker.port());
+    arguments.push_back("--until-end");
+    if (births == 2U) arguments.pop_back();  // nothing is left to be told: it would end at once
+    Child child(arguments);
+    ASSERT_TRUE(within(kPatience, [&] { return subscriber.count() >= births; }));
+    if (births == 1U) ASSERT_TRUE(within(kPatience, [&] { return child.ended().has_value(); }));
+  }
+  std::map<std::string, json> metrics;
+  for (const json& metric : told(subscriber).back().payload["metrics"]) metrics[metric["name"]] = metric;
+  EXPECT_EQ(metrics["Meta/tool"]["string_value"], "T12");
+  EXPECT_TRUE(metrics["State/state"].contains("string_value"));
+  EXPECT_TRUE(metrics["Features/in_cut_s"].contains("double_value"));
+}
+
 TEST_F(SparkplugNode, ALineThatIsCutAtRandomLosesNothing) {
   constexpr int kSeconds = 1000;
   const RealBroker broker(folder_ / "");
