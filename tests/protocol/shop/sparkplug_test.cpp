@@ -251,7 +251,8 @@ TEST_F(SparkplugNode, ANewProcessIsBornWithWhatWasToldBefore) {
     if (births == 2U) arguments.pop_back();  // nothing is left to be told: it would end at once
     Child child(arguments);
     ASSERT_TRUE(within(kPatience, [&] { return subscriber.count() >= births; }));
-    if (births == 1U) ASSERT_TRUE(within(kPatience, [&] { return child.ended().has_value(); }));
+    if (births == 2U) break;
+    ASSERT_TRUE(within(kPatience, [&] { return child.ended().has_value(); }));
   }
   std::map<std::string, json> metrics;
   for (const json& metric : told(subscriber).back().payload["metrics"]) metrics[metric["name"]] = metric;

@@ -47,7 +47,7 @@ class ATopicSender : public ::testing::Test {
                          EXPECT_TRUE(sender_->turn(nowMs_ += 1000).ok());
                          for (const auto& packet : broker_.heard()) {
                            // One quality of service for all, or a broker may hand one out before the other.
-                           if (packet.type == ScriptedBroker::Publish) EXPECT_EQ(packet.quality(), 2);
+                           EXPECT_TRUE(packet.type != ScriptedBroker::Publish || packet.quality() == 2);
                            const bool wanted = packet.type == type && packet.body.find(about) != std::string::npos;
                            if (found.type == 0 && wanted) found = packet;
                          }
