@@ -229,7 +229,7 @@ TEST_F(SessionLinesTest, SecondsInCutAreThoseInTheMaterial) {
   open("cut.h5");
   for (int k = 0; k < 10; ++k) {
     StepRecord step = stepAt(k, CutState::Stable, k >= 2);
-    step.output.verdicts[0].phase = k < 6 ? CutPhase::RunUp : CutPhase::Steady;
+    step.output.verdicts[1].phase = k < 6 ? CutPhase::RunUp : CutPhase::Steady;
     ASSERT_TRUE(writer_->add(step.input, step.output).ok());
   }
   ASSERT_TRUE(writer_->close().ok());

@@ -255,7 +255,8 @@ TEST_F(SparkplugNode, ANewProcessIsBornWithWhatWasToldBefore) {
     ASSERT_TRUE(within(kPatience, [&] { return child.ended().has_value(); }));
   }
   std::map<std::string, json> metrics;
-  for (const json& metric : told(subscriber).back().payload["metrics"]) metrics[metric["name"]] = metric;
+  const std::vector<Told> births = told(subscriber);
+  for (const json& metric : births.back().payload["metrics"]) metrics[metric["name"]] = metric;
   EXPECT_EQ(metrics["Meta/tool"]["string_value"], "T12");
   EXPECT_TRUE(metrics["State/state"].contains("string_value"));
   EXPECT_TRUE(metrics["Features/in_cut_s"].contains("double_value"));
