@@ -197,13 +197,15 @@ TEST_F(Simulate, AProfileRunsOnTheSimulatedMachineAndRecords) {
 
 TEST_F(Simulate, WhatCannotBeRecordedIsSaidInOneLineAndTheCutIsWatched) {
   folder_.file("machine.toml", kMachine);
-  const Outcome ran = runCli(folder_ / "", {"run", "--profile", "machine.toml", "--seconds", "0.5", "--record",
-                                            "/proc/run.h5", "--flights", "flights"});
-  EXPECT_EQ(ran.exitCode, 3);
-  EXPECT_THAT(ran.out, testing::HasSubstr("blocks decided"));
-  EXPECT_THAT(ran.err, testing::HasSubstr("/proc/run.h5"));
-  EXPECT_THAT(ran.err, testing::HasSubstr("monitoring goes on"));
-  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  for (const std::string path : {"/proc/run.h5", "lost/run.h5"}) {  // a share that is not there
+    const Outcome ran = runCli(folder_ / "", {"run", "--profile", "machine.toml", "--seconds", "0.5", "--record", path,
+                                              "--flights", "flights"});
+    EXPECT_EQ(ran.exitCode, 3);
+    EXPECT_THAT(ran.out, testing::HasSubstr("blocks decided"));
+    EXPECT_THAT(ran.err, testing::HasSubstr(path));
+    EXPECT_THAT(ran.err, testing::HasSubstr("monitoring goes on"));
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+  }
 }
 
 TEST_F(Simulate, TheProfileThatComesWithTheProgramRuns) {
