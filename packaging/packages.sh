@@ -4,7 +4,7 @@
 build_packages="g++ cmake ninja-build pkg-config ccache lld libeigen3-dev libfftw3-dev libsndfile1-dev
   libhdf5-dev libmatio-dev zlib1g-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libspdlog-dev libcomedi-dev
   libasound2-dev libiio-dev libsqlite3-dev libavformat-dev libavcodec-dev libavutil-dev
-  libmosquitto-dev python3-dev python3-numpy pybind11-dev vamp-plugin-sdk"
+  libmosquitto-dev"
 desktop_packages="libgl1-mesa-dev qt6-base-dev qt6-charts-dev libqt6opengl6-dev qt6-svg-dev qt6-serialport-dev
   qt6-serialbus-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools fonts-dejavu-core fonts-noto-cjk"
 # clang with its runtime builds the sanitizers' presets, in two thirds of the time of GCC, and the fuzzer.
@@ -14,8 +14,8 @@ test_packages="libgtest-dev libgmock-dev libbenchmark-dev clang libclang-rt-14-d
 peer_packages="linuxcnc-uspace linuxcnc-uspace-dev python3-pymodbus python3-serial-asyncio socat libmodbus-dev
   pulseaudio libasound2-plugins octave mosquitto mosquitto-clients python3-protobuf postgresql"
 
-# What makes and checks the Debian package.
-package_packages="dpkg-dev gpg gpg-agent lintian help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"
+# What makes and checks the Debian packages, those of the Python module and the Vamp plugin among them.
+package_packages="python3-dev python3-numpy pybind11-dev vamp-plugin-sdk dpkg-dev gpg gpg-agent lintian help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"
 
 # install_missing PACKAGE... : asks dpkg first, so that a second run costs nothing and needs no network.
 install_missing() {

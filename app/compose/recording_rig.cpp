@@ -7,6 +7,7 @@
 #include "app/compose/run_text.h"
 #include "core/daq/replay_source.h"
 #include "core/evaluate/channel_survey.h"
+#include "core/evaluate/judged_samples.h"
 #include "core/evaluate/scenario_reader.h"
 #include "core/model/sensor_status.h"
 #include "core/pipeline/catalog.h"
@@ -14,9 +15,6 @@
 
 namespace stillcut::app {
 namespace {
-
-constexpr double kBlock_s = 0.005;               // of imported files: how fine their verdicts are in time
-constexpr Hertz kSlowest{100.0}, kFastest{1e6};  // nothing beyond can be judged
 
 std::string shownRate(Hertz rate) {
   char text[32];
@@ -90,11 +88,11 @@ Status checkFormat(const std::string& path, const record::RecordingFormat& forma
     return Error{path, message("holds no samples"),
                  message("a history of features; detectors need the samples themselves")};
   }
-  if (format.rate < kSlowest) {
+  if (format.rate < evaluate::kSlowestSampling) {
     return Error{path, message("%1 samples a second are too few for vibration", shownRate(format.rate)),
                  message("at least 100 are needed; is its time not in seconds? --rate HZ gives another rate")};
   }
-  if (format.rate > kFastest) {
+  if (format.rate > evaluate::kFastestSampling) {
     return Error{path, message("%1 samples a second are more than can be judged", shownRate(format.rate)),
                  message("at most 1000000; is its time not in seconds? --rate HZ gives another rate")};
   }
@@ -161,7 +159,7 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   const record::RecordingFormat format = opened->reader->format();
 
   daq::ReplayOptions replay;
-  replay.blockFrames = std::max(1, static_cast<int>(format.rate.value * kBlock_s));
+  replay.blockFrames = std::max(1, static_cast<int>(format.rate.value * evaluate::kJudgedBlock.value));
   controlBy(options.hand, path, opened->read, replay);
   auto source = std::make_unique<daq::ReplaySource>(std::move(opened->reader), replay);
 

@@ -6,14 +6,13 @@
 
 #include "core/control/registry.h"
 #include "core/detect/registry.h"
+#include "core/evaluate/judged_samples.h"
+#include "core/milling/cut_model.h"
 #include "core/safety/gate_limits.h"
 
 namespace stillcut::app {
 namespace {
 
-constexpr double kBlock_s = 0.005;               // as recordings are read
-constexpr Hertz kSlowest{100.0}, kFastest{1e6};  // nothing beyond can be judged
-constexpr int kMostTeeth = 200;
 constexpr const char* kWhere = "samples";
 
 Status check(const CutSetup& setup) {
@@ -22,9 +21,10 @@ Status check(const CutSetup& setup) {
     return Error{kWhere, message("have %1 channels, more than are judged at once", setup.channels.size()),
                  message("at most 32")};
   }
-  if (!(setup.rate >= kSlowest && setup.rate <= kFastest))
+  if (!(setup.rate >= evaluate::kSlowestSampling && setup.rate <= evaluate::kFastestSampling))
     return Error{kWhere, message("have a rate that no vibration is judged at"), message("100 to 1000000 a second")};
-  if (setup.teeth < 0 || setup.teeth > kMostTeeth) return Error{"teeth", message("must be 0 (not known) to 200")};
+  if (setup.teeth < 0 || setup.teeth > milling::kMostTeeth)
+    return Error{"teeth", message("must be 0 (not known) to 200")};
   if (!(setup.nominalSpeed.value >= 0.0 && setup.nominalSpeed.value <= 1e6))
     return Error{"speed", message("must be 0 (not known) to 1e6 rev/min")};
   for (const ChannelInfo& channel : setup.channels) {
@@ -57,7 +57,7 @@ Result<std::unique_ptr<BlockRun>> BlockRun::build(BlockRunOptions options) {
   if (!parts) return parts.error();
   std::unique_ptr<BlockRun> run(new BlockRun());
   run->setup_ = std::move(options.setup);
-  run->setup_.blockFrames = std::max(1, static_cast<int>(run->setup_.rate.value * kBlock_s));
+  run->setup_.blockFrames = std::max(1, static_cast<int>(run->setup_.rate.value * evaluate::kJudgedBlock.value));
   const auto limits = safety::gateLimits(options.params, run->setup_, "settings");
   if (!limits) return limits.error();
   run->chain_ = std::make_unique<pipeline::Chain>(std::move(parts).value());

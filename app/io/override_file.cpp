@@ -45,6 +45,7 @@ OverrideFile::~OverrideFile() {
   thread_->requestStop();
   wakeup_.notify();
   thread_.reset();
+  nextTry_ = {};  // the last one waits for nothing
   write();
 }
 

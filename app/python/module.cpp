@@ -31,13 +31,9 @@ std::span<const float> spanOf(const Samples& samples) {
   return {samples.data(), static_cast<std::size_t>(samples.size())};
 }
 
-Sampled sampled(double rate, int channels, const std::string& sensor, double scale, int teeth, double speed) {
-  return {rate, channels, sensor, scale, teeth, speed};
-}
-
 std::string analyze(const Samples& samples, double rate, const std::string& sensor, double scale, int teeth,
                     double speed, const std::vector<std::string>& detectors, const Settings& settings) {
-  const Sampled about = sampled(rate, static_cast<int>(samples.shape(1)), sensor, scale, teeth, speed);
+  const Sampled about{rate, static_cast<int>(samples.shape(1)), sensor, scale, teeth, speed};
   const std::span<const float> all = spanOf(samples);
   const py::gil_scoped_release others;
   return analyzeSamples(about, all, detectors, settings);
@@ -48,7 +44,7 @@ class Fed {
  public:
   Fed(const std::string& method, double rate, int channels, const std::string& sensor, double scale, int teeth,
       double speed, const Settings& settings) {
-    auto run = BlockRun::build(optionsOf(sampled(rate, channels, sensor, scale, teeth, speed), {method}, settings));
+    auto run = BlockRun::build(optionsOf({rate, channels, sensor, scale, teeth, speed}, {method}, settings));
     if (!run) throw std::invalid_argument(run.error().line());
     run_ = std::move(run).value();
   }

@@ -111,8 +111,8 @@ def analyze(
     methods: detectors that run side by side, at most six; the answer is the first one's.
     parameters: as `stillcut-cli parameters` lists them, for example {"energy-ratio.chatter": 0.3}.
 
-    Returns the object of the line `answer` of `stillcut-cli analyze --json` (chapter "Scripts" of the manual), each
-    detector with its changes of state under "events". A channel that is no vibration (a constant, a row number, a
+    Returns what the line `answer` of `stillcut-cli analyze --json` has (chapter "Scripts" of the manual) without what
+    only a file has and without "remarks" and "own_values"; each detector with its changes of state under "events". A channel that is no vibration (a constant, a row number, a
     tacho) is named in the answer and left out. What was not judged is "not-judged", never "no-chatter".
     """
     text = _core.analyze(

@@ -94,8 +94,6 @@ class CutLine {
   }
   int port() const { return port_; }
   int cuts() const { return cuts_; }
-  // From now on the line holds.
-  void mend() { mended_ = true; }
 
  private:
   void serve() {
@@ -120,9 +118,8 @@ class CutLine {
         std::array<char, 2048> bytes;
         const ssize_t n = ::recv(k == 0 ? near : far, bytes.data(), bytes.size(), MSG_DONTWAIT);
         if (n <= 0) return;
-        const std::size_t go = mended_ ? static_cast<std::size_t>(n) : std::min(left, static_cast<std::size_t>(n));
+        const std::size_t go = std::min(left, static_cast<std::size_t>(n));
         if (::send(k == 0 ? far : near, bytes.data(), go, MSG_NOSIGNAL) < 0) return;
-        if (mended_) continue;
         left -= go;
         if (left > 0) continue;
         ++cuts_;
@@ -135,7 +132,7 @@ class CutLine {
   std::mt19937 random_;
   std::uniform_int_distribution<std::size_t> length_;
   int listener_;
-  std::atomic<bool> stopped_{false}, mended_{false};
+  std::atomic<bool> stopped_{false};
   std::atomic<int> cuts_{0};
   std::thread thread_;
 };
