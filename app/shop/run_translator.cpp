@@ -55,6 +55,8 @@ std::int64_t utcNowMs() {
   return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
 }
 
+RunTranslator::RunTranslator() = default;
+
 std::vector<ShopMessage> RunTranslator::take(const json& line) {
   told_.clear();
   const std::string type = words(line, "type");

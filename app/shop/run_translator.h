@@ -13,6 +13,10 @@ namespace stillcut::shop {
 
 class RunTranslator {
  public:
+  RunTranslator();
+  RunTranslator(const RunTranslator&) = delete;  // a copy would tell everything a second time
+  RunTranslator& operator=(const RunTranslator&) = delete;
+
   // One line in the order of the run. What it does not know it passes over: a newer program may say more.
   std::vector<ShopMessage> take(const nlohmann::json& line);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
 #include <map>
 
 #include "app/shop/run_translator.h"
@@ -129,7 +130,7 @@ int measure(std::size_t machines, int seconds) {
   const record::TempFolder folder;
   const RealBroker broker(folder / "", "allow_anonymous true\nsys_interval 1\n");
   const Historian historian(broker.port());
-  std::vector<Machine> fleet(machines);
+  std::deque<Machine> fleet(machines);  // they are never moved
   const std::int64_t begin_ns = steadyNs() + 2'000'000'000;
   for (std::size_t k = 0; k < machines; ++k) {
     const std::string name = "mill" + std::to_string(k + 1);
@@ -178,9 +179,11 @@ int measure(std::size_t machines, int seconds) {
 }  // namespace
 }  // namespace stillcut::shop
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (stillcut::shop::testing::brokerProgram().empty()) return std::puts(stillcut::shop::testing::kNoBroker), 77;
   const int machines = argc > 1 ? std::atoi(argv[1]) : 200, seconds = argc > 2 ? std::atoi(argv[2]) : 600;
   if (machines < 1 || seconds < 1) return std::fputs("shop_fleet [MACHINES [SECONDS]]\n", stderr), 2;
   return stillcut::shop::measure(static_cast<std::size_t>(machines), seconds);
+} catch (const std::exception& e) {
+  return std::fprintf(stderr, "shop_fleet: %s\n", e.what()), 2;
 }
