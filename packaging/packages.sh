@@ -12,7 +12,7 @@ test_packages="libgtest-dev libgmock-dev libbenchmark-dev clang libclang-rt-14-d
   python3-h5py python3-scipy hdf5-tools poppler-utils xvfb"
 # Real machines, devices and programs for the tests of links, sources and examples; a test whose peer is absent skips with one line.
 peer_packages="linuxcnc-uspace linuxcnc-uspace-dev python3-pymodbus python3-serial-asyncio socat libmodbus-dev
-  pulseaudio libasound2-plugins octave mosquitto mosquitto-clients python3-protobuf postgresql"
+  pulseaudio libasound2-plugins octave mosquitto mosquitto-clients openssl python3-protobuf postgresql"
 
 # What makes and checks the Debian packages, those of the Python module and the Vamp plugin among them.
 package_packages="python3-dev python3-numpy pybind11-dev vamp-plugin-sdk dpkg-dev gpg gpg-agent lintian help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"

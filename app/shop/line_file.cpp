@@ -33,6 +33,9 @@ std::string headOf(int file, std::int64_t offset) {
     hash = (hash ^ static_cast<unsigned char>(bytes[static_cast<std::size_t>(k)])) * 1099511628211ULL;
   return std::to_string(hash);
 }
+bool earlier(const timespec& a, const timespec& b) {
+  return a.tv_sec != b.tv_sec ? a.tv_sec < b.tv_sec : a.tv_nsec < b.tv_nsec;
+}
 std::filesystem::path folderOf(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return folder.empty() ? "." : folder;
@@ -85,10 +88,37 @@ bool LineFile::openOld(std::uint64_t inode, std::int64_t offset, const std::stri
   return true;
 }
 
+// Of the files that have had our name, the first that was written after the one that is open; "": there is none.
+std::string LineFile::rotatedAfter() const {
+  struct stat ours {};
+  if (file_ < 0 || ::fstat(file_, &ours) != 0) return {};
+  const std::string name = std::filesystem::path(path_).filename().string();
+  std::string first;
+  timespec firstTime{};
+  std::error_code ignored;
+  for (auto entry = std::filesystem::directory_iterator(folderOf(path_), ignored);
+       entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
+    const std::string other = entry->path().filename().string();
+    const bool hadOurName = other.size() > name.size() + 1 && other.starts_with(name) &&
+                            (other[name.size()] == '.' || other[name.size()] == '-');
+    const std::string end = entry->path().extension().string();
+    if (!hadOurName || end == ".gz" || end == ".xz" || end == ".bz2" || end == ".zst") continue;
+    struct stat status {};
+    if (::stat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_ino == ours.st_ino)
+      continue;
+    if (!earlier(ours.st_mtim, status.st_mtim) || (!first.empty() && !earlier(status.st_mtim, firstTime))) continue;
+    first = entry->path().string();
+    firstTime = status.st_mtim;
+  }
+  return first;
+}
+
 bool LineFile::openNew() {
-  const std::uint64_t inode = inodeOf(path_);
-  if (inode == 0 || (file_ >= 0 && inode == inode_)) return false;
-  const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (const std::uint64_t now = inodeOf(path_); now == 0 || (file_ >= 0 && now == inode_)) return false;
+  const std::string between = rotatedAfter();
+  const std::string& next = between.empty() ? path_ : between;
+  const std::uint64_t inode = inodeOf(next);
+  const int file = ::open(next.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
   if (file_ >= 0) ::close(file_);
   file_ = file;

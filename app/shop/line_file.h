@@ -1,7 +1,8 @@
 // LineFile: the lines that another program appends to a file, or writes to our standard input ("-"). A file may be
-// renamed (log rotation) and a new one take its name: the old one is read to its end first, also when that happened
-// while nobody was reading, as long as it lies in the same folder. One that was begun anew meanwhile is known by its
-// first bytes, and read from its beginning. The file is only ever read.
+// renamed (log rotation) and a new one take its name: the old one is read to its end first, then those that came
+// between (NAME.1, NAME-20261128, uncompressed), in the order in which they were last written, also when all that
+// happened while nobody was reading, as long as they lie in the same folder. One that was begun anew meanwhile is known
+// by its first bytes, and read from its beginning. The file is only ever read.
 #pragma once
 
 #include <cstddef>
@@ -31,6 +32,7 @@ class LineFile final : public LineSource {
  private:
   bool openOld(std::uint64_t inode, std::int64_t offset, const std::string& head);
   bool openNew();
+  std::string rotatedAfter() const;
   bool fill();
   void takeLines(std::vector<SourceLine>& lines, std::size_t atMost);
   std::string cursor();

@@ -46,6 +46,7 @@ Status MqttClient::configure() {
   mosquitto_connect_with_flags_callback_set(client_, onConnect);
   mosquitto_disconnect_callback_set(client_, onDisconnect);
   mosquitto_publish_callback_set(client_, onPublish);
+  mosquitto_log_callback_set(client_, onLog);
   mosquitto_message_callback_set(client_, [](mosquitto*, void* self, const mosquitto_message* m) {
     of(self)->owner_.received(m->topic,
                               {static_cast<const char*>(m->payload), static_cast<std::size_t>(m->payloadlen)});
@@ -68,6 +69,7 @@ Status MqttClient::configure() {
 
 void MqttClient::onConnect(mosquitto* /*client*/, void* self, int code, int flags) {
   MqttClient& me = *of(self);
+  me.answered_ = true;
   if (code != 0) {
     me.untold_ = mosquitto_connack_string(code);
     return;
@@ -90,9 +92,25 @@ void MqttClient::lost() {
   if (std::exchange(connected_, false)) owner_.disconnected();
 }
 
+// Of TLS the library returns no more than that there was an error; OpenSSL's reason is in its log alone.
+void MqttClient::onLog(mosquitto* /*client*/, void* self, int level, const char* line) {
+  if (level == MOSQ_LOG_ERR && std::string_view(line).starts_with("OpenSSL Error")) of(self)->tlsError_ = line;
+}
+
 // The broker's own words for a refusal come first and say more.
 void MqttClient::tellUnlessTold(int rc) {
-  if (untold_.empty()) untold_ = rc == MOSQ_ERR_ERRNO ? "no connection" : mosquitto_strerror(rc);
+  const std::string tls = std::exchange(tlsError_, {});
+  if (!untold_.empty()) return;
+  if (tls.find("certificate verify failed") != std::string::npos) {
+    untold_ =
+        "its certificate is vouched for by none of " + options_.ca + ", or is of another host than " + options_.host;
+  } else if (!tls.empty()) {
+    untold_ = "TLS: " + tls;
+  } else if (rc == MOSQ_ERR_CONN_LOST && !answered_ && options_.ca.empty()) {
+    untold_ = "it closes the connection before it answers; if it asks for TLS, name its authority with --ca";
+  } else {
+    untold_ = rc == MOSQ_ERR_ERRNO ? "no connection" : mosquitto_strerror(rc);
+  }
 }
 
 void MqttClient::setWill(const std::string& topic, std::string_view payload, int qos, bool retained) {

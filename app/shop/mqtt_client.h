@@ -67,6 +67,7 @@ class MqttClient {
   static void onConnect(mosquitto*, void* self, int code, int flags);
   static void onDisconnect(mosquitto*, void* self, int code);
   static void onPublish(mosquitto*, void* self, int number);
+  static void onLog(mosquitto* client, void* self, int level, const char* line);
 
   BrokerOptions options_;
   Owner& owner_;
@@ -75,6 +76,8 @@ class MqttClient {
   bool stands_ = false;  // the TCP connection; the broker may not have said a word yet
   std::int64_t nextTryMs_ = 0, waitMs_ = 0;
   std::string problem_, untold_;  // as told last, and since
+  std::string tlsError_;          // of the newest try
+  bool answered_ = false;         // some connection was accepted or refused by the broker itself
 };
 
 }  // namespace stillcut::shop

@@ -248,5 +248,79 @@ TEST_F(Shop, AUserAndAListOfRightsHold) {
   }
 }
 
+// A certificate for 127.0.0.1 that vouches for itself: NAME.crt and NAME.key.
+bool makeCertificate(const std::string& path) {
+  return std::system(("openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN=shop -addext "
+                      "subjectAltName=IP:127.0.0.1 -keyout " +
+                      path + ".key -out " + path + ".crt 2>/dev/null")
+                         .c_str()) == 0;
+}
+void replaceAll(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+// mosquitto with the configuration of packaging/shop, as a shop copies it; only its places are others.
+class TlsShop : public Shop {
+ protected:
+  void SetUp() override {
+    Shop::SetUp();
+    if (IsSkipped()) return;
+    for (const char* name : {"broker", "ca", "foreign"}) ASSERT_TRUE(makeCertificate(folder_ / name));
+    std::filesystem::copy_file(folder_ / "broker.crt", folder_ / "ca.crt",
+                               std::filesystem::copy_options::overwrite_existing);
+    const std::string from = std::string(STILLCUT_SOURCE_DIR) + "/packaging/shop/mosquitto/";
+    std::filesystem::copy_file(from + "acl", folder_ / "stillcut.acl");
+    std::ofstream(folder_ / "stillcut.passwords") << "";
+    for (const char* user : {"mill3", "historian"}) {
+      const std::string add = "mosquitto_passwd -b " + folder_ / "stillcut.passwords" + " " + user + " secret";
+      ASSERT_EQ(std::system(add.c_str()), 0);
+    }
+    std::ofstream(folder_ / "word") << "secret\n";
+    std::ifstream file(from + "stillcut.conf");
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    const int port = testing::freePort();
+    replaceAll(text, "listener 8883", "listener " + std::to_string(port) + " 127.0.0.1");
+    for (const char* place : {"/etc/mosquitto/certs/", "/etc/mosquitto/", "/var/lib/mosquitto/"}) {
+      replaceAll(text, place, folder_ / "");
+    }
+    broker_ = std::make_unique<RealBroker>(folder_ / "", testing::WholeConfiguration{text, port});
+    subscriber_ = std::make_unique<Subscriber>(port, "works/#", "historian", "secret", folder_ / "ca.crt");
+    append(aRun(3));
+  }
+  std::vector<std::string> asMill3(const std::vector<std::string>& more) const {
+    auto all = words(broker_->port(), {"--user", "mill3", "--password-file", folder_ / "word"});
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  std::unique_ptr<RealBroker> broker_;
+  std::unique_ptr<Subscriber> subscriber_;
+};
+
+TEST_F(TlsShop, TellsABrokerThatItsAuthorityVouchesFor) {
+  EXPECT_EQ(runToEnd(asMill3({"--ca", folder_ / "ca.crt", "--until-end"})), 0);
+  ASSERT_TRUE(within(kPatience, [&] { return sequences(*subscriber_).size() >= messagesOf(3); }));
+  EXPECT_EQ(sequences(*subscriber_), upTo(messagesOf(3)));
+}
+
+// Somebody else's broker, and one that is spoken to in the clear: nothing is told, the reason is said, the run is kept.
+TEST_F(TlsShop, TellsNothingToABrokerThatNobodyVouchesFor) {
+  for (const std::vector<std::string>& how : {std::vector<std::string>{"--ca", folder_ / "foreign.crt"}, {}}) {
+    auto line = asMill3(how);
+    std::string shell = "exec";
+    for (const std::string& word : line) shell += " '" + word + "'";
+    std::filesystem::remove(folder_ / "said");
+    Child child({"/bin/sh", "-c", shell + " 2>" + folder_ / "said"});
+    ASSERT_TRUE(within(kPatience, [&] {
+      std::ifstream said(folder_ / "said");
+      const std::string text((std::istreambuf_iterator<char>(said)), {});
+      return text.find(how.empty() ? "--ca" : "its certificate is vouched for by none of") != std::string::npos;
+    })) << (how.empty() ? "in the clear" : "foreign");
+  }
+  EXPECT_TRUE(subscriber_->heard().empty());
+  EXPECT_EQ(runToEnd(asMill3({"--ca", folder_ / "ca.crt", "--until-end"})), 0);
+  EXPECT_TRUE(within(kPatience, [&] { return sequences(*subscriber_).size() >= messagesOf(3); }));
+}
+
 }  // namespace
 }  // namespace stillcut::shop

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -81,6 +82,33 @@ TEST(LineFile, ARotatedFileIsReadToItsEndFirst) {
   }
   LineFile later(path, cursor);  // as if all that had happened while nobody was reading
   EXPECT_THAT(texts(later), ElementsAre("two", "three", "four"));
+}
+
+// The times of the files are set, as those of a real rotation are hours apart.
+TEST(LineFile, FilesThatWereRotatedWhileNobodyReadAreReadInTheirOrder) {
+  for (const auto& [middle, newer] :
+       {std::pair("run.jsonl.2", "run.jsonl.1"), {"run.jsonl-20261127", "run.jsonl-20261128"}}) {
+    const TempFolder folder;
+    const std::string path = folder.file("run.jsonl", "one\n");
+    std::string cursor;
+    {
+      LineFile file(path, "");
+      EXPECT_THAT(texts(file, &cursor), ElementsAre("one"));
+    }
+    append(path, "two\n");
+    std::filesystem::rename(path, folder / "run.jsonl.9");
+    const auto now = std::filesystem::last_write_time(folder / "run.jsonl.9");
+    const auto written = [&](const std::string& name, const std::string& text, int hours) {
+      std::filesystem::last_write_time(folder.file(name, text), now + std::chrono::hours(hours));
+    };
+    written(middle, "three\n", 1);
+    written(newer, "four\n", 2);
+    written("run.jsonl.8.gz", "what no line is\n", 1);  // compressed: it cannot be read
+    written("other.jsonl", "of another run\n", 1);
+    written("run.jsonl", "five\n", 3);
+    LineFile later(path, cursor);
+    EXPECT_THAT(texts(later), ElementsAre("two", "three", "four", "five"));
+  }
 }
 
 TEST(LineFile, AFileThatIsBegunAnewIsReadFromItsBeginning) {

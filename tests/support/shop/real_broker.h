@@ -47,8 +47,18 @@ inline bool listens(int port) {
   return ok;
 }
 
+// A configuration that is a whole one, and the port it names.
+struct WholeConfiguration {
+  std::string text;
+  int port;
+};
+
 class RealBroker {
  public:
+  RealBroker(const std::string& folder, const WholeConfiguration& whole) : folder_(folder), port_(whole.port) {
+    std::ofstream(folder_ + "/mosquitto.conf") << "user root\n" << whole.text;
+    start();
+  }
   // `more`: further lines of its configuration.
   explicit RealBroker(const std::string& folder, const std::string& more = "allow_anonymous true\n")
       : folder_(folder), port_(freePort()) {
@@ -145,11 +155,12 @@ class Subscriber {
     bool retained;
   };
   explicit Subscriber(int port, const std::string& what = "#", const std::string& user = {},
-                      const std::string& password = {}) {
+                      const std::string& password = {}, const std::string& ca = {}) {
     mosquitto_lib_init();
     client_ = mosquitto_new(("subscriber " + what).c_str(), false, this);
     what_ = what;
     if (!user.empty()) mosquitto_username_pw_set(client_, user.c_str(), password.c_str());
+    if (!ca.empty()) mosquitto_tls_set(client_, ca.c_str(), nullptr, nullptr, nullptr, nullptr);
     mosquitto_connect_callback_set(client_, [](mosquitto* client, void* self, int /*code*/) {
       mosquitto_subscribe(client, nullptr, static_cast<Subscriber*>(self)->what_.c_str(), 2);
     });
