@@ -37,7 +37,7 @@ std::string shortest(double value) {
 }  // namespace
 
 ModbusLink::ModbusLink(RegisterMap map, std::unique_ptr<RegisterBus> bus, const Clock& clock)
-    : map_(std::move(map)), bus_(std::move(bus)), clock_(clock), releaseBudget_(clock, kReleaseTime) {
+    : map_(std::move(map)), plan_(map_), bus_(std::move(bus)), clock_(clock), releaseBudget_(clock, kReleaseTime) {
   order(MachineCommand::SpeedOverride).wanted = 100.0;
   order(MachineCommand::FeedOverride).wanted = 100.0;
 }
@@ -75,19 +75,32 @@ Status ModbusLink::open() {
                    message("'%1' reads %2, which can not be", name(refused_->which), shortest(refused_->value)),
                    message("is its entry in the register map right?")};
     }
+    if (connected && isSlow()) {
+      const double answer_ms = 1e3 * roundTrip_.typical().value;
+      return Error{std::string(bus_->address()),
+                   message("an answer takes %1 ms, and %2 of them tell all: it is too old by then", shortest(answer_ms),
+                           std::to_string(plan_.questions())),
+                   message("a shorter way to the machine, or registers that lie side by side")};
+    }
     return Error{std::string(bus_->address()),
                  connected ? message("the registers do not answer") : message("no connection"),
-                 connected ? message("are the unit and the register map right?")
+                 connected ? message("are the unit, the register map and its answer_ms right?")
                            : message("is the machine on, and the address right?")};
   }
   close();  // taken up again by the thread that reads from now on
   return Done{};
 }
 
+// So that not all of it is ever fresh at once.
+bool ModbusLink::isSlow() const noexcept {
+  return roundTrip_.typical() * static_cast<double>(plan_.questions()) > toSeconds(kFreshAtLeast);
+}
+
 void ModbusLink::close() noexcept {
   release(clock_.now());
   bus_->close();
   broke(clock_.now());
+  plan_.putTogether();
   nextTry_ = {};
 }
 
@@ -130,7 +143,10 @@ void ModbusLink::pump(Instant now) noexcept {
   for (int i = 0; i < kRequests; ++i) {
     takeReply(now);
     if (bus_->busy() || bus_->state() != WireState::Open) return;
-    if (!writeNext(now) && !readNext(now)) return;
+    // In command every second question at least is a reading, if one is due: with a heartbeat that is due again with
+    // every answer nothing would ever be read on a slow wire. What lets go waits for no reading.
+    const bool readFirst = inCommand_ && wroteLast_;
+    if (!(readFirst && readNext(now)) && !writeNext(now) && !readNext(now)) return;
     bus_->wait(kWait);
   }
   takeReply(now);
@@ -144,6 +160,10 @@ void ModbusLink::takeReply(Instant now) noexcept {
     if (what == Underway::Read) seen_[which_].due = now;
     return;
   }
+  if (!reply->ok && what == Underway::Read && plan_.asksForSeveral(which_)) {
+    plan_.takeApart();
+    for (RegisterReading& s : seen_) s.due = now;
+  }
   if (!reply->ok) {
     if (what == Underway::Write) orders_[which_].notBefore = now + kRefusedFor;
     // One exception is the machine's business; several in a row are a machine that cannot be believed.
@@ -156,11 +176,22 @@ void ModbusLink::takeReply(Instant now) noexcept {
   const Instant answered = std::max(now, clock_.now());
   roundTrip_.take(secondsBetween(askedAt_, answered));
   if (what == Underway::Read) {
-    takeValue(static_cast<MachineSignal>(which_), reply->words, now);
+    takeReading(*reply, now);
   } else {
     orders_[which_].written = writing_;
     orders_[which_].sure = true;
     if (static_cast<MachineCommand>(which_) != MachineCommand::Heartbeat) acknowledged_ = answered;
+  }
+}
+
+void ModbusLink::takeReading(const BusReply& reply, Instant now) noexcept {
+  const ReadSpan& span = plan_.of(which_);
+  for (std::size_t s = 0; s < kMachineSignals; ++s) {
+    if (!span.has(s)) continue;
+    const auto at = static_cast<std::size_t>(map_.read[s]->address - span.first);
+    RegisterWords words{reply.words[at], 0};
+    if (map_.read[s]->words == 2) words[1] = reply.words[at + 1];
+    takeValue(static_cast<MachineSignal>(s), words, now);
   }
 }
 
@@ -188,6 +219,7 @@ bool ModbusLink::write(MachineCommand which, Instant now) noexcept {
   writing_ = o.wanted;
   which_ = static_cast<std::size_t>(which);
   underway_ = Underway::Write;
+  wroteLast_ = true;
   o.when = now;
   askedAt_ = std::max(now, clock_.now());
   touched_ = true;
@@ -199,6 +231,9 @@ bool ModbusLink::write(MachineCommand which, Instant now) noexcept {
 
 bool ModbusLink::writeNext(Instant now) noexcept {
   if (!inCommand_ && !touched_) return false;
+  // First: what is ordered without a heartbeat a watchdog takes back. Never twice with an order waiting.
+  if (inCommand_ && !beatLast_ && beat(now)) return true;
+  const bool beatLast = std::exchange(beatLast_, false);
   const RegisterWrite& feed = order(MachineCommand::FeedOverride);
   std::array<MachineCommand, 3> sequence = kStanding;
   if (!feedFirst(feed.wanted, feed.written.value_or(feed.wanted))) std::swap(sequence[1], sequence[2]);
@@ -211,10 +246,15 @@ bool ModbusLink::writeNext(Instant now) noexcept {
     touched_ = !atBase() || (map_.at(MachineCommand::Control) && !stands(MachineCommand::Control, 0.0));
     return false;
   }
+  return beatLast && beat(now);
+}
+
+bool ModbusLink::beat(Instant now) noexcept {
   const auto& beat = map_.at(MachineCommand::Heartbeat);
   RegisterWrite& heart = order(MachineCommand::Heartbeat);
   if (!beat || now - heart.when < toDuration(beat->period)) return false;
   heart.wanted = std::fmod(heart.wanted + 1.0, kHeartbeatSpan);
+  beatLast_ = true;
   return write(MachineCommand::Heartbeat, now);
 }
 
@@ -225,12 +265,15 @@ bool ModbusLink::readNext(Instant now) noexcept {
     if (oldest == kMachineSignals || seen_[i].due < seen_[oldest].due) oldest = i;
   }
   if (oldest == kMachineSignals) return false;
-  const Register& r = *map_.read[oldest];
-  seen_[oldest].due = now + toDuration(r.period);
+  const ReadSpan& span = plan_.of(oldest);
+  for (std::size_t s = 0; s < kMachineSignals; ++s) {
+    if (span.has(s)) seen_[s].due = now + toDuration(map_.read[s]->period);
+  }
+  wroteLast_ = false;
   which_ = oldest;
   underway_ = Underway::Read;
   askedAt_ = std::max(now, clock_.now());
-  if (bus_->read(r.table, r.address, r.words)) return true;
+  if (bus_->read(span.table, span.first, span.count)) return true;
   broke(now);
   return false;
 }

@@ -1,6 +1,7 @@
 // ModbusLink: a spindle drive or PLC gateway behind Modbus TCP or RTU, by a register map. Our factors have registers of
 // their own; the machine multiplies with the operator's knob, or has none.
-// One request at a time: what is to be written first, then whatever register is due longest. While we are in command
+// One request at a time: what is to be written first, then whatever register is due longest, with its neighbours
+// (read_plan.h). While we are in command
 // the heartbeat counts; a machine whose map says `watchdog` restores 100 % when it stops. Registers that the map leaves
 // out: overrides in force are taken as written, "running" as a programmed speed above 0, "at speed" from the speeds.
 // A value that can not be (outside of the map's range or of its kind's; a spindle twice as fast as it was ever told to
@@ -19,6 +20,7 @@
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
 #include "core/cnc/modbus/believed_reading.h"
+#include "core/cnc/modbus/read_plan.h"
 #include "core/cnc/modbus/register_bus.h"
 #include "core/cnc/modbus/register_map.h"
 #include "core/cnc/release_budget.h"
@@ -60,7 +62,9 @@ class ModbusLink final : public CncLink {
 
   void pump(Instant now) noexcept;
   void takeReply(Instant now) noexcept;
+  void takeReading(const BusReply& reply, Instant now) noexcept;
   void takeValue(MachineSignal s, const RegisterWords& words, Instant now) noexcept;
+  bool beat(Instant now) noexcept;
   bool writeNext(Instant now) noexcept;
   bool readNext(Instant now) noexcept;
   bool write(MachineCommand which, Instant now) noexcept;
@@ -76,7 +80,10 @@ class ModbusLink final : public CncLink {
   RegisterWrite& order(MachineCommand o) { return orders_[static_cast<std::size_t>(o)]; }
   const RegisterWrite& order(MachineCommand o) const { return orders_[static_cast<std::size_t>(o)]; }
 
+  bool isSlow() const noexcept;
+
   RegisterMap map_;
+  ReadPlan plan_;
   std::unique_ptr<RegisterBus> bus_;
   const Clock& clock_;
   std::array<RegisterReading, kMachineSignals> seen_{};
@@ -85,8 +92,10 @@ class ModbusLink final : public CncLink {
   std::size_t which_ = 0;
   double writing_ = 0.0;
   bool inCommand_ = false;
-  bool touched_ = false;  // something of ours may stand in the machine
-  int failures_ = 0;      // in a row
+  bool beatLast_ = false;   // the last that was written was the heartbeat
+  bool wroteLast_ = false;  // the last question was no reading
+  bool touched_ = false;    // something of ours may stand in the machine
+  int failures_ = 0;        // in a row
   Instant nextTry_{}, acknowledged_{};
   ReleaseBudget releaseBudget_;
   Instant askedAt_{};  // by the clock, for the round trip

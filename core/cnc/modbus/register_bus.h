@@ -22,9 +22,11 @@ enum class RegisterTable : std::uint8_t { Coil, Discrete, Input, Holding };
 
 using RegisterWords = std::array<std::uint16_t, 2>;  // the second is unused by one-word values
 
+inline constexpr std::size_t kMostWords = 16;  // of one question
+
 struct BusReply {
-  bool ok = false;  // false: an exception reply, or none in time
-  RegisterWords words{};
+  bool ok = false;                                // false: an exception reply, or none in time
+  std::array<std::uint16_t, kMostWords> words{};  // as many as were asked for; of a coil the first
   bool unsure = false;  // not ok, but no failure: whose answer came is not known, and the question is to be asked again
 };
 
@@ -37,7 +39,7 @@ class RegisterBus {
   virtual WireState state() noexcept = 0;                 // Closed stays so until connect()
   virtual void wait(Duration atMost) noexcept = 0;        // until there is something new, or `atMost` has passed
   virtual void close() noexcept = 0;                      // a request under way is forgotten
-  // Begin a request; only while not busy(). False: the bus broke.
+  // Begin a request; only while not busy(). `count`: of words at most kMostWords, of coils 1. False: the bus broke.
   virtual bool read(RegisterTable table, int first, int count) noexcept = 0;
   // The first `count` of the words, to Coil or Holding; begins as read() does.
   virtual bool write(RegisterTable table, int first, int count, const RegisterWords& words) noexcept = 0;

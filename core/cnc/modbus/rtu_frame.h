@@ -16,7 +16,7 @@ namespace stillcut::cnc {
 
 class RtuQuestion {
  public:
-  // `count` of registers or coils, 1 or 2; `unit` 0..247.
+  // `count` as RegisterBus says; `unit` 0..247.
   static RtuQuestion read(int unit, RegisterTable table, int first, int count) noexcept;
   // To Coil (one) or Holding.
   static RtuQuestion write(int unit, RegisterTable table, int first, int count, const RegisterWords& words) noexcept;

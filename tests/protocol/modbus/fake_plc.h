@@ -23,13 +23,14 @@ struct FakePlc {
   bool refuses = false;  // exception replies
   bool lies = false;     // acknowledges and does nothing
   bool running = true;
-  bool silent = false;  // no reply at all
-  int refused = -1;     // a write to this register gets an exception
-  int lostReply = -1;   // this register is written, and the reply is lost
-  bool gone = false;    // no connection
-  bool cut = false;     // the connection ends now; another may be made
-  int garbled = 0;      // so many of the next replies are none
-  bool watched = true;  // it restores 100 % by itself
+  bool silent = false;        // no reply at all
+  int refused = -1;           // a write to this register gets an exception
+  int refusesFrom = 1 << 16;  // a read of so many words gets an exception, but for the two of the actual speed
+  int lostReply = -1;         // this register is written, and the reply is lost
+  bool gone = false;          // no connection
+  bool cut = false;           // the connection ends now; another may be made
+  int garbled = 0;            // so many of the next replies are none
+  bool watched = true;        // it restores 100 % by itself
   Duration latency = std::chrono::milliseconds(1);
   int operatorKnob = 100;
   int writes = 0;
@@ -60,7 +61,8 @@ class FakeBus final : public RegisterBus {
     return state_;
   }
   bool read(RegisterTable table, int first, int count) noexcept override {
-    BusReply reply{!plc_.refuses, {}};
+    const bool tooMany = count >= plc_.refusesFrom && !(table == RegisterTable::Input && first == 10);
+    BusReply reply{!plc_.refuses && !tooMany, {}};
     for (int i = 0; i < count; ++i) reply.words[static_cast<std::size_t>(i)] = plc_.words[{table, first + i}];
     return begin(reply);
   }

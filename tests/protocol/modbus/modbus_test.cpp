@@ -325,6 +325,58 @@ TEST(Modbus, PulledCableRestoresTheProgrammedValuesOnceItIsIn) {
   EXPECT_EQ(b.plc.holding(100), 1000);
 }
 
+// A wire that holds every answer up: registers side by side are asked for together, or nothing would ever be fresh.
+TEST(Modbus, ASlowWireIsReadInAsFewQuestionsAsTheMapAllows) {
+  Bench b;
+  b.plc.latency = std::chrono::milliseconds(30);
+  ASSERT_TRUE(b.link->open());
+  const MachineState m = b.run(2.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_EQ(m.actualSpeed.value, 8000.0);
+  EXPECT_EQ(m.programmedSpeed.value, 8000.0);
+  EXPECT_TRUE(m.programRunning);
+  EXPECT_LT(secondsBetween(m.time, b.clock.now()).value, 0.3);
+  // In command with a heartbeat between, and a machine that goes home after 0.2 s without one.
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  for (int k = 0; k < 20; ++k) EXPECT_TRUE(b.run(0.1).valid) << k;
+  EXPECT_EQ(b.plc.holding(100), 900);
+}
+
+TEST(Modbus, AMachineThatRefusesSeveralRegistersAtOnceIsAskedForEach) {
+  Bench b;
+  b.plc.refusesFrom = 2;
+  const MachineState m = b.run(1.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_EQ(m.programmedSpeed.value, 8000.0);
+  EXPECT_EQ(m.operatorSpeed.value, 1.0);
+}
+
+TEST(Modbus, AWireThatIsTooSlowIsNamedAsThat) {
+  Bench b;
+  b.plc.latency = std::chrono::milliseconds(190);
+  b.plc.run(b.clock.now());
+  const Status opened = b.link->open();
+  ASSERT_FALSE(opened);
+  EXPECT_NE(opened.error().line().find("an answer takes 190 ms, and 3 of them tell all"), std::string::npos)
+      << opened.error().line();
+}
+
+TEST(ReadPlan, AsksForNeighboursTogetherAndForNoGap) {
+  const ReadPlan plan(exampleMap());
+  const ReadSpan& holding = plan.of(static_cast<std::size_t>(MachineSignal::ProgrammedSpeed));
+  EXPECT_EQ(holding.first, 0);
+  EXPECT_EQ(holding.count, 4);
+  EXPECT_TRUE(holding.has(static_cast<std::size_t>(MachineSignal::SpeedOverride)));
+  EXPECT_FALSE(holding.has(static_cast<std::size_t>(MachineSignal::Running)));  // of another table
+  EXPECT_EQ(plan.of(static_cast<std::size_t>(MachineSignal::FeedHold)).count, 1);
+  EXPECT_EQ(plan.of(static_cast<std::size_t>(MachineSignal::ActualSpeed)).count, 2);
+  EXPECT_EQ(plan.questions(), 3);
+
+  RegisterMap gaps = exampleMap();
+  gaps.read[static_cast<std::size_t>(MachineSignal::ProgrammedFeed)]->address = 5;
+  EXPECT_EQ(ReadPlan(gaps).questions(), 5);  // holding 0; 2 and 3; 5; the two of input
+}
+
 TEST(Modbus, NobodyThereIsOneLine) {
   Bench b;
   b.plc.gone = true;
