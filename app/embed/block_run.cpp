@@ -51,13 +51,17 @@ Result<pipeline::ChainParts> partsOf(const std::vector<std::string>& detectors) 
 
 }  // namespace
 
+int BlockRun::framesOf(Hertz rate) {
+  return std::max(1, static_cast<int>(rate.value * evaluate::kJudgedBlock.value));
+}
+
 Result<std::unique_ptr<BlockRun>> BlockRun::build(BlockRunOptions options) {
   if (const Status usable = check(options.setup); !usable) return usable.error();
   auto parts = partsOf(options.detectors);
   if (!parts) return parts.error();
   std::unique_ptr<BlockRun> run(new BlockRun());
   run->setup_ = std::move(options.setup);
-  run->setup_.blockFrames = std::max(1, static_cast<int>(run->setup_.rate.value * evaluate::kJudgedBlock.value));
+  run->setup_.blockFrames = framesOf(run->setup_.rate);
   const auto limits = safety::gateLimits(options.params, run->setup_, "settings");
   if (!limits) return limits.error();
   run->chain_ = std::make_unique<pipeline::Chain>(std::move(parts).value());

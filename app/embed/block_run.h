@@ -30,6 +30,9 @@ class BlockRun {
   // One line on failure: an unknown detector, no channel, a rate that no vibration has.
   static Result<std::unique_ptr<BlockRun>> build(BlockRunOptions options);
 
+  // How many frames a block has: 5 ms of them, or a little less.
+  static int framesOf(Hertz rate);
+
   const CutSetup& setup() const { return setup_; }
   const pipeline::Chain& chain() const { return *chain_; }
 

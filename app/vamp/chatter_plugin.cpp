@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "core/detect/registry.h"
+#include "core/evaluate/judged_time.h"
 #include "core/model/judged_cut.h"
 
 namespace stillcut::app {
@@ -13,7 +15,7 @@ namespace {
 
 constexpr std::array kSensors{SensorQuantity::Sound,        SensorQuantity::Acceleration, SensorQuantity::Velocity,
                               SensorQuantity::Displacement, SensorQuantity::Force,        SensorQuantity::Current};
-constexpr double kBlocksPerSecond = 200.0;  // of BlockRun
+constexpr float kSmallestScale = 1e-6F;  // with 0 there would be no vibration
 
 // The places of the parameters in their list.
 enum Parameter { kTeeth, kSpeed, kSensor, kScale, kMethod, kParameters };
@@ -41,21 +43,55 @@ Vamp::Plugin::OutputDescriptor output(const char* id, const char* name, const ch
   d.unit = unit;
   d.hasFixedBinCount = true;
   d.binCount = 1;
-  d.sampleType = Vamp::Plugin::OutputDescriptor::VariableSampleRate;
-  d.sampleRate = static_cast<float>(kBlocksPerSecond);
   return d;
 }
 
-std::string labelOf(const Verdict& v) {
-  if (!hasState(v)) {
-    const std::string why = sentence(whyNotJudged(v));
-    return why.empty() ? "not judged" : "not judged: " + why;
+int stateOf(const Verdict& v) {
+  return hasState(v) ? 1 + static_cast<int>(v.state) : 0;
+}
+
+// For a whole stretch: without the numbers that hold for one block only.
+std::string words(const Reason& why) {
+  switch (why.code) {
+    case ReasonCode::Learning:
+      return "still learning";
+    case ReasonCode::SpindleRunUp:
+      return "the spindle is running up";
+    case ReasonCode::InputGap:
+      return "samples are missing";
+    case ReasonCode::DriveTone:
+      return "the tone of an axis drive glides";
+    default:
+      return sentence(why);
   }
-  if (!v.alarming()) return v.state == CutState::AirCutting ? "air cutting" : "stable";
-  return std::string(name(v.state)) + " at " + std::to_string(std::lround(v.frequency.value)) + " Hz";
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace
+
+bool ChatterPlugin::Stretch::holds(const Verdict& v) const {
+  if (state != stateOf(v)) return false;
+  if (state != 0) return true;
+  const Reason now = whyNotJudged(v);
+  return now.code == why.code && evaluate::channelOf(now) == evaluate::channelOf(why);
+}
+
+std::string ChatterPlugin::Stretch::label() const {
+  if (state == 0) {
+    const std::string reason = words(why);
+    return reason.empty() ? "not judged" : "not judged: " + reason;
+  }
+  const auto of = static_cast<CutState>(state - 1);
+  if (of == CutState::AirCutting) return "air cutting";
+  std::string text(name(of));
+  if (!frequencies.empty()) text += " at " + std::to_string(std::lround(median(frequencies))) + " Hz";
+  return text;
+}
 
 std::string ChatterPlugin::getCopyright() const {
   return "The Stillcut engineers; GPL-3.0-or-later";
@@ -73,7 +109,8 @@ Vamp::Plugin::ParameterList ChatterPlugin::getParameterDescriptors() const {
   all[kSensor] = parameter("sensor", "Sensor", "What the samples are", "", kSensors.size() - 1.0F, 0.0F);
   for (const SensorQuantity q : kSensors) all[kSensor].valueNames.emplace_back(name(q));
   all[kScale] =
-      parameter("scale", "Full scale", "What a sample of 1 stands for (Pa, m/s2, m/s, m, N, A)", "", 1e6F, 1.0F);
+      parameter("scale", "Full scale [Pa, m/s2, m/s, m, N, A]", "What a sample of 1 stands for", "", 1e6F, 1.0F);
+  all[kScale].minValue = kSmallestScale;
   all[kScale].isQuantized = false;
   const auto methods = detect::detectorTable();
   all[kMethod] =
@@ -105,14 +142,28 @@ void ChatterPlugin::setParameter(std::string id, float value) {
 
 Vamp::Plugin::OutputList ChatterPlugin::getOutputDescriptors() const {
   OutputList all;
-  all.push_back(output("states", "States", "Air cutting, stable, onset, chatter, or why it was not judged", ""));
-  all.back().hasDuration = true;
-  all.back().binCount = 0;
-  all.push_back(output("energyratio", "Energy ratio", "Energy of the chatter over all of the vibration's", ""));
+  all.push_back(output("states", "States",
+                       "0 not judged and why, 1 air cutting, 2 stable, 3 onset, 4 chatter and its frequency", ""));
+  OutputDescriptor& states = all.back();
+  states.sampleType = OutputDescriptor::VariableSampleRate;
+  states.hasDuration = states.hasKnownExtents = states.isQuantized = true;
+  states.maxValue = 4.0F;
+  states.quantizeStep = 1.0F;
+  all.push_back(series("energyratio", "Energy ratio", "Energy of the chatter over all of the vibration's", ""));
   all.back().hasKnownExtents = true;
   all.back().maxValue = 1.0F;
-  all.push_back(output("frequency", "Chatter frequency", "Of the strongest line, while it alarms", "Hz"));
+  all.push_back(series("frequency", "Chatter frequency", "Of the strongest line, while it alarms", "Hz"));
   return all;
+}
+
+// A value a block, where there is one. Not of variable rate: programs that keep labels would make one of each value.
+Vamp::Plugin::OutputDescriptor ChatterPlugin::series(const char* id, const char* name, const char* about,
+                                                     const char* unit) const {
+  OutputDescriptor d = output(id, name, about, unit);
+  const Hertz rate(static_cast<double>(getInputSampleRate()));
+  d.sampleType = OutputDescriptor::FixedSampleRate;
+  d.sampleRate = static_cast<float>(rate.value / BlockRun::framesOf(rate));
+  return d;
 }
 
 bool ChatterPlugin::build() {
@@ -158,17 +209,21 @@ void ChatterPlugin::endStretch(FeatureSet& found) {
   feature.hasTimestamp = feature.hasDuration = true;
   feature.timestamp = stretch_->from;
   feature.duration = stretch_->to - stretch_->from;
-  feature.label = stretch_->label;
+  feature.values = {static_cast<float>(stretch_->state)};
+  feature.label = stretch_->label();
   found[kStates].push_back(std::move(feature));
 }
 
 void ChatterPlugin::take(const Verdict& v, FeatureSet& found) {
   const Vamp::RealTime now = timeOf(v.time);
-  const std::string label = labelOf(v);
-  if (!stretch_ || stretch_->label != label) {
+  if (!stretch_ || !stretch_->holds(v)) {
     const Vamp::RealTime from = stretch_ ? stretch_->to : *began_;
     endStretch(found);
-    stretch_ = {label, from, now};
+    stretch_ = {.state = stateOf(v),
+                .why = hasState(v) ? Reason{} : whyNotJudged(v),
+                .from = from,
+                .to = now,
+                .frequencies = {}};
   }
   stretch_->to = now;
   Feature feature;
@@ -179,6 +234,7 @@ void ChatterPlugin::take(const Verdict& v, FeatureSet& found) {
     found[kEnergyRatio].push_back(feature);
   }
   if (v.alarming() && v.frequency.value > 0.0) {
+    stretch_->frequencies.push_back(v.frequency.value);
     feature.values = {static_cast<float>(v.frequency.value)};
     found[kFrequency].push_back(std::move(feature));
   }

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "app/embed/block_run.h"
+#include "core/model/reason.h"
+#include "core/model/verdict.h"
 
 namespace stillcut::app {
 
@@ -42,15 +44,21 @@ class ChatterPlugin final : public Vamp::Plugin {
 
  private:
   enum Output { kStates, kEnergyRatio, kFrequency };
-  // A stretch of one state, as it is shown.
+  // Of one state and, where that was not judged, one reason. What changes from block to block starts no new one.
   struct Stretch {
-    std::string label;
+    int state = 0;  // 0 not judged, 1 air cutting, 2 stable, 3 onset, 4 chatter
+    Reason why;     // of its first block
     Vamp::RealTime from, to;
+    std::vector<double> frequencies;  // of the chatter [Hz]
+
+    bool holds(const Verdict& verdict) const;
+    std::string label() const;
   };
   bool build();
   BlockRun::Took taker(FeatureSet& found);
   void take(const Verdict& verdict, FeatureSet& found);
   void endStretch(FeatureSet& found);
+  OutputDescriptor series(const char* id, const char* name, const char* about, const char* unit) const;
   Vamp::RealTime timeOf(Instant moment) const;
 
   std::vector<float> values_;  // of the parameters; empty: the defaults

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <vamp-hostsdk/PluginHostAdapter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -21,8 +22,8 @@ constexpr float kRate = 25600.0F;
 constexpr double kSpeed = 6000.0, kChatter_Hz = 1316.0;
 constexpr int kTeeth = 4;
 
-// Two seconds of cut by its runout and tooth passings, then chatter that grows to five times as much.
-std::vector<float> aCut() {
+// Two seconds of cut by its runout and tooth passings, then chatter that grows to five times as much, and may rise.
+std::vector<float> aCut(double rise_HzPerSecond = 0.0) {
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0.0, 0.05);
   std::vector<float> x;
@@ -30,7 +31,9 @@ std::vector<float> aCut() {
     const double t = k / static_cast<double>(kRate);
     double v = noise(random) + 0.3 * std::sin(kTwoPi * kSpeed / 60.0 * t);  // runout
     for (int n = 1; n <= 4; ++n) v += std::sin(kTwoPi * n * kTeeth * kSpeed / 60.0 * t) / n;
-    if (t > 2.0) v += std::min(5.0, 0.01 * std::exp(8.0 * (t - 2.0))) * std::sin(kTwoPi * kChatter_Hz * t);
+    const double since = std::max(0.0, t - 2.0);
+    const double phase = kTwoPi * (kChatter_Hz * since + 0.5 * rise_HzPerSecond * since * since);
+    if (t > 2.0) v += std::min(5.0, 0.01 * std::exp(8.0 * since)) * std::sin(phase);
     x.push_back(static_cast<float>(v));
   }
   return x;
@@ -108,6 +111,65 @@ TEST_F(VampPlugin, ShowsWhereTheCutChatters) {
   EXPECT_NEAR(found.at(2).back().values[0], kChatter_Hz, 10.0);
 }
 
+// A label of which each block may change a digit would fall into hundreds of pieces.
+TEST_F(VampPlugin, AStretchIsOfOneStateAndReasonWhateverTheNumbersDoMeanwhile) {
+  plugin_->setParameter("teeth", kTeeth);
+  plugin_->setParameter("speed", static_cast<float>(kSpeed));
+  ASSERT_TRUE(plugin_->initialise(1, 1000, 1000));
+  constexpr double kRise = 8.0;  // [Hz/s]
+  const auto found = runOver(aCut(kRise), 1000);
+  std::vector<std::string> labels;
+  for (const Plugin::Feature& f : found.at(0)) {
+    labels.push_back(f.label);
+    ASSERT_EQ(f.values.size(), 1U);
+    EXPECT_EQ(f.label.starts_with("not judged"), f.values[0] == 0.0F) << f.label;
+    EXPECT_EQ(f.label.starts_with("air"), f.values[0] == 1.0F) << f.label;
+    EXPECT_EQ(f.label.starts_with("stable"), f.values[0] == 2.0F) << f.label;
+    EXPECT_EQ(f.label.starts_with("onset"), f.values[0] == 3.0F) << f.label;
+    EXPECT_EQ(f.label.starts_with("chatter"), f.values[0] == 4.0F) << f.label;
+    for (const char c : f.label) EXPECT_TRUE(c >= ' ' && c <= '~') << f.label;
+  }
+  EXPECT_THAT(labels, ::testing::Contains("not judged: still learning"));
+  EXPECT_THAT(labels, ::testing::Contains("stable"));
+  EXPECT_EQ(std::count_if(labels.begin(), labels.end(), [](const auto& l) { return l.starts_with("onset at"); }), 1);
+  EXPECT_EQ(std::count_if(labels.begin(), labels.end(), [](const auto& l) { return l.starts_with("chatter at"); }), 1);
+  // It names the median of what the other output shows in the same time.
+  const Plugin::Feature& chatter = found.at(0).back();
+  ASSERT_EQ(chatter.values[0], 4.0F);
+  std::vector<float> shown;
+  for (const Plugin::Feature& f : found.at(2)) {
+    if (f.timestamp > chatter.timestamp) shown.push_back(f.values[0]);
+  }
+  std::sort(shown.begin(), shown.end());
+  ASSERT_GT(shown.back() - shown.front(), 0.5 * kRise);
+  const long median = std::lround(shown[shown.size() / 2]);
+  EXPECT_EQ(chatter.label, "chatter at " + std::to_string(median) + " Hz");
+}
+
+// Programs that keep labels (Audacity) offer outputs of variable rate: one label a value would be 200 a second.
+TEST_F(VampPlugin, OnlyStatesAreOfVariableRateAndTheOthersStandOnTheirGrid) {
+  using Output = Plugin::OutputDescriptor;
+  const auto outputs = plugin_->getOutputDescriptors();
+  ASSERT_EQ(outputs.size(), 3U);
+  EXPECT_EQ(outputs[0].sampleType, Output::VariableSampleRate);
+  EXPECT_TRUE(outputs[0].hasDuration);
+  EXPECT_TRUE(outputs[0].isQuantized && outputs[0].hasKnownExtents);
+  for (const Output& o : outputs) EXPECT_EQ(o.binCount, 1U) << o.identifier;
+  plugin_->setParameter("teeth", kTeeth);
+  plugin_->setParameter("speed", static_cast<float>(kSpeed));
+  ASSERT_TRUE(plugin_->initialise(1, 1000, 1000));
+  const auto found = runOver(aCut(), 1000);
+  for (const int k : {1, 2}) {
+    const Output& o = outputs[static_cast<std::size_t>(k)];
+    EXPECT_EQ(o.sampleType, Output::FixedSampleRate);
+    EXPECT_NEAR(o.sampleRate, 200.0, 2.0);
+    for (const Plugin::Feature& f : found.at(k)) {
+      const double place = (f.timestamp.sec + 1e-9 * f.timestamp.nsec) * static_cast<double>(o.sampleRate);
+      EXPECT_NEAR(place, std::round(place), 1e-3);
+    }
+  }
+}
+
 TEST_F(VampPlugin, TheSameWhateverTheBlocksOfTheHost) {
   const auto x = aCut();
   plugin_->setParameter("teeth", kTeeth);
@@ -128,6 +190,11 @@ TEST_F(VampPlugin, SaysItsParametersAndRefusesWhatItCannotDo) {
   std::vector<std::string> ids;
   for (const auto& p : plugin_->getParameterDescriptors()) ids.push_back(p.identifier);
   EXPECT_THAT(ids, ::testing::ElementsAre("teeth", "speed", "sensor", "scale", "method"));
+  const auto scale = plugin_->getParameterDescriptors()[3];
+  EXPECT_GT(scale.minValue, 0.0F);
+  EXPECT_THAT(scale.name, ::testing::HasSubstr("m/s2"));
+  plugin_->setParameter("scale", 0.0F);
+  EXPECT_TRUE(plugin_->initialise(1, 1000, 1000));
   EXPECT_FALSE(plugin_->initialise(0, 1000, 1000));
   EXPECT_FALSE(plugin_->initialise(33, 1000, 1000));
   EXPECT_FALSE(plugin_->initialise(1, 500, 1000));
