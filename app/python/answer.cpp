@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/embed/array_reader.h"
+#include "app/python/remarks.h"
 #include "core/base/json_schema.h"
 #include "core/config/profile.h"
 #include "core/evaluate/answer_json.h"
@@ -97,6 +98,8 @@ std::string analyzeSamples(const Sampled& about, std::span<const float> samples,
   object["rate_hz"] = about.rate;
   object["channels"] = run->setup().channels.size();
   object["length_s"] = reader.format().length().value;
+  object["remarks"] = remarks(run->setup(), samples, Hertz(judge.summary(0).spindle_Hz));
+  object["own_values"] = toJson(judge.ownValues());
   object["detectors"] = nlohmann::json::array();
   for (std::size_t d = 0; d < judge.detectors(); ++d) {
     nlohmann::json row;

@@ -112,8 +112,9 @@ def analyze(
     parameters: as `stillcut-cli parameters` lists them, for example {"energy-ratio.chatter": 0.3}.
 
     Returns what the line `answer` of `stillcut-cli analyze --json` has (chapter "Scripts" of the manual) without what
-    only a file has and without "remarks" and "own_values"; each detector with its changes of state under "events". A channel that is no vibration (a constant, a row number, a
-    tacho) is named in the answer and left out. What was not judged is "not-judged", never "no-chatter".
+    only a file has; each detector with its changes of state under "events". Read "remarks": what was assumed because it
+    was not given. A channel that is no vibration (a constant, a row number, a tacho) is named in the answer and left
+    out. What was not judged is "not-judged", never "no-chatter".
     """
     text = _core.analyze(
         _samples(x),

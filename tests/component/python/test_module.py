@@ -55,6 +55,25 @@ class Analyze(unittest.TestCase):
             self.assertEqual(got["answer"]["alarms"], wanted["answer"]["alarms"], scenario)
             self.assertEqual(got["answer"]["advice"], wanted["answer"]["advice"], scenario)
             self.assertAlmostEqual(got["answer"]["judged_s"], wanted["answer"]["judged_s"], places=2)
+            self.assertEqual([v["key"] for v in got["own_values"]], [v["key"] for v in wanted["own_values"]], scenario)
+            self.assertTrue(got["own_values"])
+            self.assertEqual(set(got["own_values"][0]), set(wanted["own_values"][0]))
+
+    def test_remarks_say_what_was_assumed(self):
+        cut = Cut("xu-aluminium.toml", 3)
+        self.assertEqual(stillcut.analyze(cut.x, cut.rate, teeth=2, speed=6000)["remarks"], [])
+        guessed = stillcut.analyze(cut.x, cut.rate)["remarks"]
+        self.assertEqual([r.split(":")[0] for r in guessed], ["teeth not given", "speed not given"])
+        wanted = json.loads(cli("analyze", cut.path, "--json"))["remarks"]
+        self.assertEqual([r.split(" (")[0] for r in wanted if "not given" in r], [r.split(":")[0] for r in guessed])
+
+    def test_a_speed_in_revolutions_a_second_is_doubted(self):
+        rate, turns = 12800.0, 100.0  # of the spindle a second
+        t = numpy.arange(int(6 * rate)) / rate
+        x = sum(numpy.sin(2 * numpy.pi * n * turns * t + n) / n for n in (1, 2, 3, 4, 6, 8, 12))
+        x = x + 0.02 * numpy.random.default_rng(6).standard_normal(len(t))
+        self.assertTrue(any("6000" in r for r in stillcut.analyze(x, rate, teeth=4, speed=turns)["remarks"]))
+        self.assertFalse(stillcut.analyze(x, rate, teeth=4, speed=60 * turns)["remarks"])
 
     def test_a_constant_channel_is_named_and_left_out(self):
         cut = Cut("xu-aluminium.toml", 3)
