@@ -76,7 +76,7 @@ Result<ModalLines> linesIn(const Frf& compliance, const Band& band) {
   const double imaginary = lines.value.imag().sum();
   if (imaginary > 0.25 * lines.value.imag().cwiseAbs().sum()) {
     return Error{compliance.source, message("force and response point against each other"),
-                 message("flip one of them")};
+                 message("if the sensor sat on the other side, turn the response with --flip")};
   }
   if (lines.value.cwiseAbs().maxCoeff() <= 0.0) return Error{compliance.source, message("is zero in the band")};
   return lines;
@@ -304,8 +304,8 @@ Result<ModalFit> fitModes(const Frf& frf, const ModalOptions& options) {
   if (!selection.poles().empty()) describeModes(fit, *lines, selection, compliance);
   if (fit.modes.empty())
     return Error{frf.source, message("no physical mode was found in the band"), message("try another band")};
-  judgeWritten(fit, frf.addedDecay);
-  nameLeftOut(fit, resonances);
+  judgeWritten(fit, resonances, frf.addedDecay);
+  nameLeftOut(fit, resonances, compliance.usableTo);
   if (static_cast<int>(fit.modes.size()) < options.modes) {
     fit.remarks.push_back(message("only %1 of the %2 modes asked for were found", fit.modes.size(), options.modes));
   }

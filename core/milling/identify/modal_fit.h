@@ -62,7 +62,7 @@ struct ModalFit {
   double writtenMisfit = 0.0;   // the same with the real modes alone: what a file of modes holds
   Residual residual;            // of the band, beside the modes as written
   double residualMisfit = 0.0;  // misfit of both together
-  double measuredDepth = 0.0;   // deepest negative real part of the compliance in the band [m/N]
+  double measuredDepth = 0.0;   // deepest negative real part of the compliance wherever the hammer reached [m/N]
   double writtenDepth = 0.0;    // the same of the real modes alone
   double from = 0.0;            // band [Hz]
   double to = 0.0;

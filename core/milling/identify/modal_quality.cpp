@@ -55,7 +55,7 @@ double coherenceAt(const Frf& frf, const milling::Mode& mode) {
   return lines > 0 ? sum / lines : 0.0;
 }
 
-void judgeWritten(ModalFit& fit, double addedDecay) {
+void judgeWritten(ModalFit& fit, const std::vector<Resonance>& resonances, double addedDecay) {
   double off = 0.0;
   std::vector<std::complex<double>> rest;  // what the modes leave
   double whole = 0.0;
@@ -72,6 +72,10 @@ void judgeWritten(ModalFit& fit, double addedDecay) {
     fit.measuredDepth = std::max(fit.measuredDepth, -fit.measured[i].real());
     fit.writtenDepth = std::max(fit.writtenDepth, -written.real());
   }
+  for (const Resonance& r : resonances) {
+    const bool inside = r.frequency >= fit.from && r.frequency <= fit.to;
+    if (r.reached && !inside) fit.measuredDepth = std::max(fit.measuredDepth, r.depth);
+  }
   fit.writtenMisfit = whole > 0.0 ? std::sqrt(off / whole) : 0.0;
   fit.residual = residualOf(fit.frequency, rest, 0.5 * (fit.from + fit.to));
   double left = 0.0;
@@ -86,18 +90,52 @@ void judgeWritten(ModalFit& fit, double addedDecay) {
   }
 }
 
-void nameLeftOut(ModalFit& fit, const std::vector<Resonance>& resonances) {
-  double deepest = 0.0;
-  for (const Resonance& r : resonances) deepest = std::max(deepest, r.depth);
+namespace {
+
+bool standsFor(const IdentifiedMode& m, const Resonance& r) {
+  const double f = m.mode.frequency.value;
+  return std::abs(f - r.frequency) < std::max(0.03, 1.5 * m.mode.damping) * f;
+}
+
+Message leftOut(const Resonance& r, double deepest) {
+  const long hertz = std::lround(r.frequency), percent = std::lround(100.0 * r.depth / deepest);
+  if (r.noise == PeakNoise::Clear) {
+    return message("left out: a resonance at %1 Hz, its negative real part of %2 m/N is %3 % of the deepest", hertz,
+                   shortNumber(r.depth), percent);
+  }
+  return message(
+      "left out: a noisy peak at %1 Hz, its negative real part of about %2 m/N is %3 % of the deepest: hit "
+      "harder, or average more hits",
+      hertz, shortNumber(r.depth), percent);
+}
+
+}  // namespace
+
+void nameLeftOut(ModalFit& fit, const std::vector<Resonance>& resonances, double usableTo) {
+  double deepest = 0.0, fitted = 0.0;
+  for (const Resonance& r : resonances) deepest = std::max(deepest, r.reached ? r.depth : 0.0);
+  for (const IdentifiedMode& m : fit.modes) fitted = std::max(fitted, m.depth);
   for (const Resonance& r : resonances) {
-    const bool stoodFor = std::any_of(fit.modes.begin(), fit.modes.end(), [&](const IdentifiedMode& m) {
-      const double f = m.mode.frequency.value;
-      return std::abs(f - r.frequency) < std::max(0.03, 1.5 * m.mode.damping) * f;
-    });
-    if (stoodFor || r.depth < kDepthWorthSaying * deepest) continue;
-    fit.remarks.push_back(
-        message("left out: a resonance at %1 Hz, its negative real part of %2 m/N is %3 % of the deepest",
-                std::lround(r.frequency), shortNumber(r.depth), std::lround(100.0 * r.depth / deepest)));
+    const auto stands = [&](const IdentifiedMode& m) { return standsFor(m, r); };
+    const bool stoodFor = std::any_of(fit.modes.begin(), fit.modes.end(), stands);
+    if (r.depth < kDepthWorthSaying * deepest) continue;
+    if (!stoodFor && !r.reached) {
+      fit.remarks.push_back(
+          message("not looked at: a peak at %1 Hz of about %2 m/N lies above %3 Hz, where the hit has no force left: "
+                  "take a harder tip",
+                  std::lround(r.frequency), shortNumber(r.depth), std::lround(usableTo)));
+    } else if (!stoodFor) {
+      fit.remarks.push_back(leftOut(r, deepest));
+      if (r.depth > fitted) {
+        fit.remarks.push_back(
+            message("what was left out at %1 Hz is deeper than every mode found: limits computed from these modes are "
+                    "too high",
+                    std::lround(r.frequency)));
+      }
+    } else if (r.noise != PeakNoise::Clear) {
+      fit.remarks.push_back(
+          message("the peak at %1 Hz is noisy: hit harder, or average more hits", std::lround(r.frequency)));
+    }
   }
 }
 

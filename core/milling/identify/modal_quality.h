@@ -13,9 +13,11 @@ namespace stillcut::identify {
 double coherenceAt(const Frf& frf, const milling::Mode& mode);
 
 // Sets written misfit and both depths of a fit whose modes and lines are there, and remarks on a depth that is far off.
-void judgeWritten(ModalFit& fit, double addedDecay);
+// The measured depth is the deepest of the band and of the `resonances` beside it.
+void judgeWritten(ModalFit& fit, const std::vector<Resonance>& resonances, double addedDecay);
 
-// Remarks on resonances that no mode stands for, with their size.
-void nameLeftOut(ModalFit& fit, const std::vector<Resonance>& resonances);
+// Remarks on resonances that no mode stands for, with their size, and on those that are noisy or lie above `usableTo`,
+// where the hammer has no force left [Hz].
+void nameLeftOut(ModalFit& fit, const std::vector<Resonance>& resonances, double usableTo);
 
 }  // namespace stillcut::identify
