@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDepthSearched = 4.0;  // times the depth asked for
 constexpr double kClearOfLimit = 1.1;   // limit over depth that a quiet speed has
+constexpr double kClearOfEdge = 0.01;   // of the speed of a pocket's edge
 constexpr int kQuietLooks = 60;         // speeds of a pocket compared for their forced vibration
 constexpr double kBestStep = 0.5;       // [rev/min]
 constexpr double kEdgeStep = 0.05;      // [rev/min]
@@ -45,6 +46,7 @@ class Adviser {
   Metres limitOf(const SpeedLimits& limits) const { return limitingDepth(limits); }
 
   SpeedLimits at(Rpm speed) const {
+    if (!lobes_.possible(speed)) return {speed, {}, {}, false};
     return lobes_.limits(speed, {kDepthSearched * request_.depth, true, true, request_.depth}, stop_).value();
   }
 
@@ -84,7 +86,10 @@ class Adviser {
     p.best = end > best ? 0.5 * (p.best + s[end].speed)
                         : climbed(p.best, best > first ? s[best - 1].speed : p.from.speed,
                                   best < last ? s[best + 1].speed : p.to.speed);
+    const bool begins = first > 0, ends = last + 1 < s.size();
+    p.best = clearOfEdges(p.best, begins ? p.from.speed : Rpm(0.0), ends ? p.to.speed : Rpm(0.0), p);
     p.limit = limitOf(at(p.best));
+    p.open = nothingFound(p.limit);
     p.margin = p.limit / request_.depth - 1.0;
     p.width = std::min(p.best - p.from.speed, p.to.speed - p.best) / p.best;
     p.removal = removal(p.best);
@@ -93,6 +98,16 @@ class Adviser {
       if (p.forced) p.quietest = quietest(p.from.speed, p.to.speed);
     }
     return p;
+  }
+
+  bool nothingFound(Metres limit) const { return limit >= (1.0 - 1e-9) * kDepthSearched * request_.depth; }
+
+  // Inside the pocket, and where chatter begins at an edge (0: it does not) a little away from that.
+  static Rpm clearOfEdges(Rpm best, Rpm low, Rpm high, const SpeedPocket& p) {
+    const Rpm quarter = 0.25 * (p.to.speed - p.from.speed);
+    const Rpm from = low.value > 0.0 ? low + std::min(kClearOfEdge * low, quarter) : p.from.speed;
+    const Rpm to = high.value > 0.0 ? high - std::min(kClearOfEdge * high, quarter) : p.to.speed;
+    return std::clamp(best, from, to);
   }
 
   // The speed of the largest limit between two that lie lower: finer and finer grids around the best so far.
@@ -120,13 +135,14 @@ class Adviser {
     for (int i = 0; i <= kQuietLooks; ++i) {
       const Rpm speed = from + (to - from) * (static_cast<double>(i) / kQuietLooks);
       if (auto forced = forcedVibration(model_, speed, request_.depth, request_.feedPerTooth)) {
-        looks.push_back({speed, {}, *forced});
+        looks.push_back({speed, {}, *forced, false});
       }
     }
     std::sort(looks.begin(), looks.end(),
               [](const auto& a, const auto& b) { return a.forced.acceleration < b.forced.acceleration; });
     for (QuietestSpeed& look : looks) {
       look.limit = limitOf(at(look.speed));
+      look.open = nothingFound(look.limit);
       if (look.limit >= kClearOfLimit * request_.depth) return look;
     }
     return std::nullopt;

@@ -35,12 +35,14 @@ struct QuietestSpeed {
   Rpm speed{};
   Metres limit{};  // at least a tenth above the depth asked for
   ForcedVibration forced{};
+  bool open = false;  // as SpeedPocket::open
 };
 
 struct SpeedPocket {
   PocketEdge from, to;
-  Rpm best{};            // the speed with the largest limiting depth inside, to 1 rev/min
+  Rpm best{};            // the speed with the largest limiting depth inside, to 1 rev/min, 1 % from an edge
   Metres limit{};        // limiting depth there; the largest one searched (4 x depth) where nothing limits it
+  bool open = false;     // nothing limits it: `limit` is as deep as was searched
   double margin = 0.0;   // limit/depth - 1 at `best`
   double width = 0.0;    // how far the speed may be off at `best`, smaller side, as a fraction of it
   double removal = 0.0;  // at `best`: depth x width of cut x feed [m^3/s]; 0 without a feed

@@ -67,10 +67,23 @@ Status ExactLobes::checkPattern(Rpm speed, Metres largest) const {
   const int lines = UnlikeTeeth(model_, pattern_, speed).lines(Fineness::Rough);
   if (lines > kMostLines) {
     return Error{message("spindle speed"), message("%1 rpm is too low for teeth that differ", number(speed.value)),
-                 message("%1 spectral lines would be needed; %2 are possible", std::to_string(lines),
-                         std::to_string(kMostLines))};
+                 message("from %1 rpm on it is possible", number(lowestSpeed().value))};
   }
   return Done{};
+}
+
+bool ExactLobes::possible(Rpm speed) const {
+  return pattern_.alike || UnlikeTeeth(model_, pattern_, speed).lines(Fineness::Rough) <= kMostLines;
+}
+
+Rpm ExactLobes::lowestSpeed() const {
+  if (pattern_.alike) return {};
+  Rpm low(1.0), high(kHighestSpeed);
+  while (high / low > 1.0005) {
+    const Rpm middle(std::sqrt(low.value * high.value));
+    (possible(middle) ? high : low) = middle;
+  }
+  return Rpm(std::ceil(high.value));
 }
 
 Status ExactLobes::checkDepth(Metres largest) {

@@ -66,6 +66,10 @@ class ExactLobes {
   // One clear line for a speed that is not positive, or absurd for these modes.
   Status checkSpeed(Rpm speed) const;
   static Status checkDepth(Metres largest);  // above 0 and up to 1 m
+  // With teeth that differ the harmonics to be solved for grow in number as the speed falls: below this one they are
+  // too many, and limits() refuses. 0: no speed is too low for that.
+  Rpm lowestSpeed() const;
+  bool possible(Rpm speed) const;
   Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop = {}) const;
   Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, WorkMeter& meter) const;
 

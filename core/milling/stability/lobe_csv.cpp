@@ -18,7 +18,7 @@ std::string lobeCsv(const LobeSweep& sweep, std::span<const LimitBand> bands) {
     std::string band;
     if (k < bands.size()) {
       std::snprintf(line, sizeof line, ",%.6g,%.6g", 1e3 * bands[k].low.value, 1e3 * bands[k].high.value);
-      band = line;
+      band = limits.searchedTo.value > 0.0 ? line : ",,";
     }
     if (!limits.hasLimit()) {
       std::snprintf(line, sizeof line, "%.12g,0,,0,0,%s,", limits.speed.value,
@@ -70,16 +70,23 @@ std::string lobeJson(const LobeSweep& sweep, const std::string& name, std::span<
 std::vector<std::string> lobeSummary(const LobeSweep& sweep) {
   std::size_t limited = 0;
   std::size_t free = 0;
+  std::size_t unknown = 0;
   std::vector<const SpeedLimits*> cutShort;
   for (const SpeedLimits& limits : sweep.speeds) {
     if (limits.hasLimit()) ++limited;
     if (!limits.hasLimit() && sweep.complete(limits)) ++free;
-    if (!limits.hasLimit() && !sweep.complete(limits)) cutShort.push_back(&limits);
+    if (limits.hasLimit() || sweep.complete(limits)) continue;
+    if (limits.searchedTo.value > 0.0) {
+      cutShort.push_back(&limits);
+    } else {
+      ++unknown;
+    }
   }
   char line[240];
   std::snprintf(line, sizeof line, "%zu speeds: %zu with a limit, %zu without one down to %.6g mm", sweep.speeds.size(),
                 limited, free, 1e3 * sweep.maxAxialDepth.value);
   std::vector<std::string> lines{line};
+  if (unknown > 0) lines.push_back(std::to_string(unknown) + " speeds are unknown: they lie too low to be searched");
   if (cutShort.empty()) return lines;
   const auto [low, high] = std::minmax_element(
       cutShort.begin(), cutShort.end(), [](const auto* a, const auto* b) { return a->searchedTo < b->searchedTo; });

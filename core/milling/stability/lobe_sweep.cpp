@@ -102,6 +102,11 @@ Message coarseCells(const CutModel& model, std::span<const Rpm> speeds, const Sd
                  std::to_string(cells), std::to_string(std::lround(from)), std::to_string(std::lround(wanted)));
 }
 
+Message tooLow(const ExactLobes& lobes) {
+  return message("speeds below %1 rpm are unknown: for teeth that differ the exact method does not reach lower",
+                 std::to_string(std::lround(lobes.lowestSpeed().value)));
+}
+
 }  // namespace
 
 Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds, const SweepOptions& options,
@@ -113,7 +118,10 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
     case LobeMethod::Exact: {
       const Result<ExactLobes> lobes = ExactLobes::make(model, where);
       if (!lobes) return lobes.error();
-      const SolveOne solve = [&](Rpm speed, Metres hint) {
+      const auto unknown = [&](Rpm speed) { return lobes->checkSpeed(speed) && !lobes->possible(speed); };
+      if (std::any_of(speeds.begin(), speeds.end(), unknown)) warnings.push_back(tooLow(*lobes));
+      const SolveOne solve = [&](Rpm speed, Metres hint) -> Result<SpeedLimits> {
+        if (unknown(speed)) return SpeedLimits{speed, {}, {}, false};
         LimitOptions one = options.limits;
         one.hint = hint;
         return lobes->limits(speed, one, stop);

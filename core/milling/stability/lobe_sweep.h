@@ -29,10 +29,11 @@ struct SweepOptions {
 };
 
 struct LobeSweep {
-  std::vector<SpeedLimits> speeds;  // in the order asked for; entries not reached have searchedTo 0
-  Metres maxAxialDepth{};           // asked for; an entry with less in searchedTo says nothing about what lies deeper
-  std::vector<Message> warnings;    // of the method and of what the model leaves out
-  bool finished = false;            // false: stopped
+  // In the order asked for; entries not reached, and those too low for teeth that differ, have searchedTo 0.
+  std::vector<SpeedLimits> speeds;
+  Metres maxAxialDepth{};         // asked for; an entry with less in searchedTo says nothing about what lies deeper
+  std::vector<Message> warnings;  // of the method and of what the model leaves out
+  bool finished = false;          // false: stopped
 
   // Searched down to maxAxialDepth.
   bool complete(const SpeedLimits& limits) const { return limits.searchedTo >= (1.0 - 1e-9) * maxAxialDepth; }

@@ -47,6 +47,24 @@ TEST(SpeedAdvice, PocketsAreStableInsideAndEndAtChatter) {
   }
 }
 
+TEST(SpeedAdvice, TheBestSpeedKeepsAwayFromTheEdgesOfItsPocket) {
+  for (const double depth : {0.2e-3, 0.4e-3, 0.7e-3, 1.0e-3, 1.3e-3}) {
+    const auto advice = adviseSpeeds(textbookHalf(), requestAt(depth, 5000, 20000), "half");
+    ASSERT_TRUE(advice.ok());
+    for (const SpeedPocket& p : advice->pockets) {
+      const Rpm quarter = 0.25 * (p.to.speed - p.from.speed);
+      if (p.from.frequency.value > 0.0) {
+        EXPECT_GE(p.best - p.from.speed, 0.999 * std::min(0.01 * p.from.speed, quarter))
+            << depth << " " << p.best.value;
+      }
+      if (p.to.frequency.value > 0.0) {
+        EXPECT_GE(p.to.speed - p.best, 0.999 * std::min(0.01 * p.to.speed, quarter)) << depth << " " << p.best.value;
+      }
+      EXPECT_EQ(p.open, p.limit.value >= 3.9999 * depth);
+    }
+  }
+}
+
 TEST(SpeedAdvice, WhereNothingIsStableTheDeepestCutIsTold) {
   const CutModel model = textbookHalf();
   const auto advice = adviseSpeeds(model, requestAt(1e-3, 5000, 5600), "half");

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/milling/stability/lobe_csv.h"
 #include "tests/support/dominant_multiplier.h"
 #include "tests/unit/stability/reference_cases.h"
 
@@ -51,6 +52,43 @@ TEST(LobeSweep, ChartAgreesWithTheMultiplierOfSinglePoints) {
           << speeds[i].value << " " << depths[k].value;
     }
   }
+}
+
+TEST(LobeSweep, SpeedsTooLowForUnlikeTeethAreUnknownAndTheOthersStay) {
+  CutModel model = textbookHalf();
+  model.tool.teeth = 4;
+  const double degree = 3.14159265358979323846 / 180.0;
+  model.tool.pitch = {70.0 * degree, 110.0 * degree, 70.0 * degree, 110.0 * degree};
+  const auto lobes = ExactLobes::make(model, "uneven");
+  ASSERT_TRUE(lobes.ok()) << lobes.error().line();
+  const Rpm lowest = lobes->lowestSpeed();
+  ASSERT_GT(lowest.value, 10.0);
+  EXPECT_FALSE(lobes->possible(0.99 * lowest));
+  EXPECT_TRUE(lobes->possible(lowest));
+  const std::vector<Rpm> speeds{0.5 * lowest, 0.9 * lowest, 5.0 * lowest, 6.0 * lowest};
+  const auto sweep = sweepLobes(model, speeds, sweepTo(2e-3, 1), "uneven");
+  ASSERT_TRUE(sweep.ok()) << sweep.error().line();
+  EXPECT_TRUE(sweep->finished);
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_FALSE(sweep->speeds[i].hasLimit());
+    EXPECT_FALSE(sweep->complete(sweep->speeds[i]));
+    EXPECT_FALSE(sweep->speeds[i].stableAt(Metres(1e-6)));
+  }
+  for (const std::size_t i : {2U, 3U}) {
+    EXPECT_TRUE(sweep->speeds[i].hasLimit() || sweep->complete(sweep->speeds[i]));
+  }
+  ASSERT_EQ(sweep->warnings.size(), 1u);
+  EXPECT_NE(text(sweep->warnings[0]).find("below " + std::to_string(std::lround(lowest.value)) + " rpm are unknown"),
+            std::string::npos)
+      << text(sweep->warnings[0]);
+  const std::string csv = lobeCsv(*sweep);
+  EXPECT_NE(csv.find(",0,,0,0,unknown,"), std::string::npos) << csv;
+  EXPECT_EQ(lobeSummary(*sweep)[1], "2 speeds are unknown: they lie too low to be searched");
+  const auto refused = lobes->limits(0.5 * lowest, sweepTo(2e-3, 1).limits);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().line().find("from " + std::to_string(std::lround(lowest.value)) + " rpm on it is possible"),
+            std::string::npos)
+      << refused.error().line();
 }
 
 TEST(LobeSweep, ProgressRisesToOne) {
