@@ -53,13 +53,10 @@ std::size_t roundLength(std::size_t n) {
 }
 
 // Samples begin..end without the mean of what came before the pulse, zeros behind.
-std::vector<double> cutOut(const std::vector<double>& signal, const FoundHit& hit, std::size_t quietEnd,
-                           std::size_t length) {
+std::vector<double> cutOut(const std::vector<double>& signal, const FoundHit& hit, std::size_t length) {
   double mean = 0.0;
-  if (quietEnd > hit.begin) {
-    for (std::size_t i = hit.begin; i < quietEnd; ++i) mean += signal[i];
-    mean /= static_cast<double>(quietEnd - hit.begin);
-  }
+  for (std::size_t i = hit.quietFrom; i < hit.quietEnd; ++i) mean += signal[i];
+  if (hit.quietEnd > hit.quietFrom) mean /= static_cast<double>(hit.quietEnd - hit.quietFrom);
   std::vector<double> out(length, 0.0);
   for (std::size_t i = hit.begin; i < hit.end; ++i) out[i - hit.begin] = signal[i] - mean;
   return out;
@@ -99,6 +96,17 @@ void accumulate(Sums& sums, const std::vector<double>& force, const std::vector<
   }
 }
 
+void add(Sums& sums, const Sums& more) {
+  sums.force.resize(more.force.size(), 0.0);
+  sums.response.resize(more.response.size(), 0.0);
+  sums.cross.resize(more.cross.size(), 0.0);
+  for (std::size_t k = 0; k < more.force.size(); ++k) {
+    sums.force[k] += more.force[k];
+    sums.response[k] += more.response[k];
+    sums.cross[k] += more.cross[k];
+  }
+}
+
 // Lines with no force at all would divide by nothing: the spectrum ends before them.
 Frf estimate(const Sums& sums, double resolution, int averages, FrfEstimate kind) {
   Frf frf;
@@ -124,8 +132,18 @@ struct Prepared {
   std::vector<FoundHit> hits;
 };
 
-void turn(std::vector<double>& signal) {
-  for (double& v : signal) v = -v;
+template <class T>
+void turn(std::vector<T>& signal) {
+  for (T& v : signal) v = -v;
+}
+
+// A hammer pushes for a thousandth of the time: the middle value of its force is the offset of its channel.
+void takeOffsetOff(std::vector<double>& force) {
+  std::vector<double> sorted = force;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double offset = *middle;
+  for (double& v : force) v -= offset;
 }
 
 // Pulses of a hammer push one way; where the other way is twice as high the channel counts a push as negative.
@@ -145,7 +163,8 @@ Result<std::vector<Prepared>> prepare(const std::vector<HammerRecord>& records, 
                    message("hits that are averaged need the same")};
     }
     Prepared one{record, {}};
-    const bool negative = !options.flipForce && pushesNegative(record.force);
+    takeOffsetOff(one.record.force);
+    const bool negative = !options.flipForce && pushesNegative(one.record.force);
     turned = turned || negative;
     if (options.flipForce || negative) turn(one.record.force);
     if (options.flipResponse) turn(one.record.response);
@@ -159,8 +178,10 @@ Result<std::vector<Prepared>> prepare(const std::vector<HammerRecord>& records, 
 
 Message faultOf(const Hit& hit) {
   if (hit.unwanted) return message("as asked");
+  if (hit.alongOther) return message("it went along the other axis");
   if (hit.forceOverload) return message("overload of the force");
   if (hit.responseOverload) return message("overload of the response");
+  if (hit.begun) return message("the record begins inside the pulse: record some milliseconds before the trigger");
   return message("double hit");
 }
 
@@ -170,9 +191,14 @@ Status judge(std::vector<Prepared>& all, const HammerOptions& options, HammerRes
     for (FoundHit& found : one.hits) {
       ++number;
       Hit& hit = found.hit;
-      hit.unwanted = std::find(options.without.begin(), options.without.end(), number) != options.without.end();
+      const auto isIn = [number](const std::vector<int>& hits) {
+        return std::find(hits.begin(), hits.end(), number) != hits.end();
+      };
+      hit.unwanted = isIn(options.without);
+      hit.alongOther = isIn(options.alongOther);
       const bool tolerated = !hit.doubleHit || options.useDoubleHits;
-      hit.used = !hit.unwanted && !hit.forceOverload && !hit.responseOverload && tolerated;
+      hit.used =
+          !hit.unwanted && !hit.alongOther && !hit.forceOverload && !hit.responseOverload && !hit.begun && tolerated;
       if (!hit.used) result.remarks.push_back(message("hit %1 left out: %2", number, faultOf(hit)));
       if (hit.used && hit.doubleHit) result.remarks.push_back(message("hit %1 is a double hit, used as asked", number));
       if (hit.used) ++result.averages;
@@ -242,10 +268,8 @@ Span spanOf(const std::vector<Prepared>& all, const HammerOptions& options) {
 // Adds one hit to the sums; how much its response still rings at the end.
 double addHit(const HammerRecord& record, FoundHit found, const Span& span, const HammerOptions& options, Sums& sums) {
   found.end = found.begin + span.samples;
-  const auto half = static_cast<std::size_t>(found.hit.width * record.rate);
-  const std::size_t quietEnd = found.peak > 3 * half ? found.peak - 3 * half : 0;
-  std::vector<double> force = cutOut(record.force, found, quietEnd, span.length);
-  std::vector<double> response = cutOut(record.response, found, quietEnd, span.length);
+  std::vector<double> force = cutOut(record.force, found, span.length);
+  std::vector<double> response = cutOut(record.response, found, span.length);
   if (options.forceWindow > 0.0) {
     applyForceWindow(force, found.peak - found.begin, static_cast<std::size_t>(options.forceWindow * record.rate));
   }
@@ -254,6 +278,20 @@ double addHit(const HammerRecord& record, FoundHit found, const Span& span, cons
   applyDecay(response, span.decay, record.rate);
   accumulate(sums, force, response);
   return ringingAtEnd(response, span.samples);
+}
+
+bool pointsAgainstForce(const Sums& sums, const HammerRecord& record, const Span& span) {
+  Frf frf = estimate(sums, record.rate / static_cast<double>(span.length), 1, FrfEstimate::H1);
+  frf.quantity = record.quantity;
+  frf.addedDecay = span.decay;
+  return takesPowerOut(frf);
+}
+
+Message whatWasTurned(const std::vector<std::string>& turned, std::size_t records) {
+  if (turned.size() == records) return message("the response points against the force: turned");
+  std::string names;
+  for (const std::string& name : turned) names += (names.empty() ? "" : ", ") + name;
+  return message("the response points against the force in %1, and not in the other records: turned there", names);
 }
 
 }  // namespace
@@ -268,10 +306,18 @@ Result<HammerResult> analyseHammer(const std::vector<HammerRecord>& records, con
   const Span span = spanOf(*all, options);
   Sums sums;
   double ringing = 0.0;
+  std::vector<std::string> turned;  // records whose sensor sits against the force
   for (const Prepared& one : *all) {
+    Sums own;
     for (const FoundHit& found : one.hits) {
-      if (found.hit.used) ringing = std::max(ringing, addHit(one.record, found, span, options, sums));
+      if (found.hit.used) ringing = std::max(ringing, addHit(one.record, found, span, options, own));
     }
+    if (own.force.empty()) continue;
+    if (!options.flipResponse && pointsAgainstForce(own, one.record, span)) {
+      turn(own.cross);
+      turned.push_back(one.record.source);
+    }
+    add(sums, own);
   }
   const HammerRecord& first = records.front();
   result.frf = estimate(sums, first.rate / static_cast<double>(span.length), result.averages, options.estimate);
@@ -285,10 +331,12 @@ Result<HammerResult> analyseHammer(const std::vector<HammerRecord>& records, con
                 "give --exponential 0.01",
                 std::lround(100.0 * ringing)));
   }
-  if (!options.flipResponse && takesPowerOut(result.frf)) {
-    result.remarks.push_back(message("the response points against the force: turned"));
+  // What no record says by itself for noise, all of them may say together.
+  if (!options.flipResponse && turned.empty() && takesPowerOut(result.frf)) {
     for (auto& v : result.frf.value) v = -v;
+    for (const HammerRecord& record : records) turned.push_back(record.source);
   }
+  if (!turned.empty()) result.remarks.push_back(whatWasTurned(turned, all->size()));
   return result;
 }
 

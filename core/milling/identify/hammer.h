@@ -36,17 +36,21 @@ struct HammerOptions {
   bool flipForce = false;       // the force channel counts a push as negative
   bool flipResponse = false;    // the accelerometer points against the force
   FrfEstimate estimate = FrfEstimate::H1;
-  std::vector<int> without;  // hits to leave out, counted from 1 over all records
+  std::vector<int> without;     // hits to leave out, counted from 1 over all records
+  std::vector<int> alongOther;  // and those that went along another axis than the response
 };
 
 struct Hit {
   double time = 0.0;       // of the force peak, from the record's start [s]
   double peakForce = 0.0;  // [N]
   double width = 0.0;      // of the pulse at half height [s]
+  double response = 0.0;   // rms of the response after it, without its offset [its unit]
   bool doubleHit = false;
   bool forceOverload = false;
   bool responseOverload = false;
+  bool begun = false;     // when the record begins: part of the pulse is missing
   bool unwanted = false;  // one of HammerOptions::without
+  bool alongOther = false;
   bool used = false;
   std::size_t record = 0;  // which of the records, from 0
 };
@@ -58,8 +62,9 @@ struct HammerResult {
   std::vector<Message> remarks;  // one line each: what was left out, what was inverted, what is uncertain
 };
 
-// Records of one axis, all with one sampling rate. A force whose pulses are negative is turned, and so is a response
-// that takes power out of the structure, which a driving point cannot do; both are said.
+// Records of one axis, all with one sampling rate. A force whose pulses are negative is turned, and so is the response
+// of a record that takes power out of the structure, which a driving point cannot do; both are said. A constant offset
+// of either channel is taken off.
 // Error when there is no hit, or none that passes the checks, or a record is no record (rate, lengths, NaN).
 Result<HammerResult> analyseHammer(const std::vector<HammerRecord>& records, const HammerOptions& options);
 

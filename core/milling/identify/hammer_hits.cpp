@@ -6,6 +6,8 @@
 namespace stillcut::identify {
 namespace {
 
+constexpr double kFoot = 0.05;  // of the peak
+
 // One stretch of force above the trigger.
 struct Pulse {
   std::size_t peak = 0;
@@ -18,7 +20,7 @@ std::size_t samples(double seconds, double rate) {
 }
 
 Pulse pulseAround(const std::vector<double>& force, std::size_t peak) {
-  const double foot = 0.05 * force[peak];
+  const double foot = kFoot * force[peak];
   Pulse pulse{peak, peak, peak};
   while (pulse.rise > 0 && force[pulse.rise] > foot) --pulse.rise;
   while (pulse.fall + 1 < force.size() && force[pulse.fall] > foot) ++pulse.fall;
@@ -72,6 +74,30 @@ bool isClipped(const std::vector<double>& signal, std::size_t begin, std::size_t
   return rings ? all >= kFlatResponse : longest >= kFlatForce;
 }
 
+// The last quarter of the time since the hit before, or all before the first. A record that begins just before the hit
+// leaves what lies well before the force leaves a hundredth of its peak; where that is next to nothing no offset can be
+// known, and none is taken off.
+void setQuiet(FoundHit& found, const std::vector<double>& force, const Pulse& pulse, std::size_t before) {
+  constexpr std::size_t kFew = 3;
+  constexpr double kStill = 0.01;  // of the peak
+  found.quietFrom = before > 0 ? pulse.rise - (pulse.rise - before) / 4 : 0;
+  found.quietEnd = found.begin;
+  if (found.begin >= found.quietFrom + kFew) return;
+  std::size_t still = pulse.rise;
+  while (still > 0 && force[still] > kStill * force[pulse.peak]) --still;
+  const std::size_t margin = 2 * (pulse.rise - still);
+  found.quietEnd = still > margin + found.quietFrom + kFew ? still - margin : found.quietFrom;
+}
+
+double responseSize(const std::vector<double>& response, const FoundHit& found) {
+  double mean = 0.0;
+  for (std::size_t i = found.quietFrom; i < found.quietEnd; ++i) mean += response[i];
+  if (found.quietEnd > found.quietFrom) mean /= static_cast<double>(found.quietEnd - found.quietFrom);
+  double power = 0.0;
+  for (std::size_t i = found.begin; i < found.end; ++i) power += (response[i] - mean) * (response[i] - mean);
+  return std::sqrt(power / static_cast<double>(std::max<std::size_t>(found.end - found.begin, 1)));
+}
+
 double halfWidth(const std::vector<double>& force, std::size_t peak, double rate) {
   std::size_t a = peak;
   std::size_t b = peak;
@@ -110,6 +136,7 @@ std::vector<FoundHit> findHits(const HammerRecord& record, const HammerOptions& 
     found.peak = pulse.peak;
     const std::size_t lead = pulse.fall - pulse.rise;
     found.begin = pulse.rise > lead ? pulse.rise - lead : 0;
+    setQuiet(found, force, pulse, k > 0 ? first[k - 1].fall : 0);
     const std::size_t nextRise = k + 1 < first.size() ? first[k + 1].rise : force.size();
     const std::size_t nextLead = k + 1 < first.size() ? first[k + 1].fall - first[k + 1].rise : 0;
     found.end = std::max(nextRise > nextLead ? nextRise - nextLead : 0, pulse.fall);
@@ -119,9 +146,11 @@ std::vector<FoundHit> findHits(const HammerRecord& record, const HammerOptions& 
     found.hit.time = static_cast<double>(pulse.peak) / record.rate;
     found.hit.peakForce = force[pulse.peak];
     found.hit.width = halfWidth(force, pulse.peak, record.rate);
+    found.hit.begun = pulse.rise == 0 && force[0] > kFoot * force[pulse.peak];
     found.hit.doubleHit = hasSecondPulse(force, pulse, found.end, options.doubleHit);
     found.hit.forceOverload = isClipped(force, found.begin, found.end, options.overload, false);
     found.hit.responseOverload = isClipped(record.response, found.begin, found.end, options.overload, true);
+    found.hit.response = responseSize(record.response, found);
     hits.push_back(found);
   }
   return hits;

@@ -1,6 +1,7 @@
 #include "core/milling/identify/modal_measurement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -8,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/milling/identify/hits_by_axis.h"
 #include "core/milling/identify/response_unit.h"
 
 namespace stillcut::identify {
@@ -72,6 +74,34 @@ Result<AxisModes> fromHammer(const std::vector<HammerRecord>& records, const Ham
   return axis;
 }
 
+// Every axis by itself; where a record holds hits along x and along y, each with its own.
+Result<std::vector<AxisModes>> fromHammers(const std::map<Axis, std::vector<HammerRecord>>& records,
+                                           const ModalRequest& request) {
+  std::array<std::vector<int>, 2> alongOther;
+  const auto analyse = [&](Axis axis) {
+    HammerOptions hammer = request.hammer;
+    if (const auto out = request.without.find(axis); out != request.without.end()) hammer.without = out->second;
+    hammer.alongOther = alongOther[axis == Axis::Y ? 1 : 0];
+    return fromHammer(records.at(axis), hammer);
+  };
+  std::vector<AxisModes> axes;
+  for (const auto& [axis, ignored] : records) {
+    auto one = analyse(axis);
+    if (!one) return one.error();
+    axes.push_back(std::move(*one));
+  }
+  const bool both = axes.size() == 2 && axes[0].axis == Axis::X && axes[1].axis == Axis::Y;
+  if (!both || axes[0].records != axes[1].records) return axes;
+  alongOther = hitsAlongOther(axes[0].hits, axes[1].hits);
+  for (AxisModes& axis : axes) {
+    if (alongOther[0].empty()) break;
+    auto own = analyse(axis.axis);
+    if (!own) return own.error();
+    axis = std::move(*own);
+  }
+  return axes;
+}
+
 }  // namespace
 
 Result<ModalAnswer> measureResponses(const std::vector<std::string>& paths, const ModalRequest& request) {
@@ -82,6 +112,8 @@ Result<ModalAnswer> measureResponses(const std::vector<std::string>& paths, cons
   }
   auto sorted = readAll(paths, request);
   if (!sorted) return sorted.error();
+  if (!request.takesZ && sorted->frfs.contains(Axis::Z)) return measuredAlongZ(sorted->frfs[Axis::Z][0].source);
+  if (!request.takesZ && sorted->records.contains(Axis::Z)) return measuredAlongZ(sorted->records[Axis::Z][0].source);
   ModalAnswer answer;
   answer.remarks = std::move(sorted->remarks);
   for (auto& [axis, frfs] : sorted->frfs) {
@@ -93,13 +125,9 @@ Result<ModalAnswer> measureResponses(const std::vector<std::string>& paths, cons
     if (!one) return one.error();
     answer.axes.push_back(std::move(*one));
   }
-  for (const auto& [axis, records] : sorted->records) {
-    HammerOptions hammer = request.hammer;
-    if (const auto out = request.without.find(axis); out != request.without.end()) hammer.without = out->second;
-    auto one = fromHammer(records, hammer);
-    if (!one) return one.error();
-    answer.axes.push_back(std::move(*one));
-  }
+  auto hammered = fromHammers(sorted->records, request);
+  if (!hammered) return hammered.error();
+  for (AxisModes& one : *hammered) answer.axes.push_back(std::move(one));
   std::sort(answer.axes.begin(), answer.axes.end(),
             [](const AxisModes& a, const AxisModes& b) { return a.axis < b.axis; });
   return answer;
@@ -130,17 +158,28 @@ std::vector<Message> whatNoToolHas(const AxisModes& axis) {
 
 }  // namespace
 
+Status findUnits(ModalAnswer& answer, const ModalOptions& options) {
+  for (AxisModes& axis : answer.axes) {
+    if (axis.frf.unitKnown) continue;
+    auto unit = unitByStiffness(axis.frf, options);
+    if (!unit) return unit.error();
+    for (auto& v : axis.frf.value) v *= unit->factor;
+    axis.frf.unitKnown = true;
+    axis.remarks.push_back(std::move(unit->remark));
+  }
+  return Done{};
+}
+
+Error measuredAlongZ(const std::string& source) {
+  return Error{source, message("its response is along z, and lobes are computed from x and y"),
+               message("if the sensor sat along x or y, name both: --response CHANNEL --axis x")};
+}
+
 Result<ModalAnswer> identifyModes(const std::vector<std::string>& paths, const ModalRequest& request) {
   auto answer = measureResponses(paths, request);
   if (!answer) return answer;
+  if (const Status known = findUnits(*answer, request.fit); !known) return known.error();
   for (AxisModes& axis : answer->axes) {
-    if (!axis.frf.unitKnown) {
-      auto unit = unitByStiffness(axis.frf, request.fit);
-      if (!unit) return unit.error();
-      for (auto& v : axis.frf.value) v *= unit->factor;
-      axis.frf.unitKnown = true;
-      axis.remarks.push_back(std::move(unit->remark));
-    }
     auto fit = fitModes(axis.frf, request.fit);
     if (!fit) return fit.error();
     axis.remarks.insert(axis.remarks.end(), fit->remarks.begin(), fit->remarks.end());

@@ -18,6 +18,7 @@ struct ModalRequest {
   ImportOptions import;  // as many axes as files: one each, in their order
   HammerOptions hammer;  // its flipResponse also inverts an imported frequency response
   ModalOptions fit;
+  bool takesZ = false;                       // a response along z too: no lobes can be computed from it
   std::map<Axis, std::vector<int>> without;  // hits to leave out along an axis, instead of those of `hammer`
 };
 
@@ -42,5 +43,11 @@ Result<ModalAnswer> identifyModes(const std::vector<std::string>& paths, const M
 
 // The frequency response along each axis, without a fit: for what is made of it elsewhere.
 Result<ModalAnswer> measureResponses(const std::vector<std::string>& paths, const ModalRequest& request);
+
+// Settles units that no file said by what is possible (response_unit.h), and remarks on it; else asks for them.
+Status findUnits(ModalAnswer& answer, const ModalOptions& options);
+
+// Modes have a direction in the plane of the cut: there is none for z.
+Error measuredAlongZ(const std::string& source);
 
 }  // namespace stillcut::identify

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/units.h"
+#include "core/milling/identify/hits_by_axis.h"
 
 namespace stillcut::identify {
 namespace {
@@ -232,6 +233,63 @@ TEST(Hammer, AnAccelerometerAgainstTheForceIsTurnedAndSaid) {
   EXPECT_LT(worstError(got->frf, 100.0, 1000.0), 5e-3);
   EXPECT_TRUE(says(*got, "points against the force: turned"));
   EXPECT_FALSE(says(*analyseHammer({s.record()}, {}), "turned"));
+}
+
+TEST(Hammer, OneRecordOfSeveralWithItsSensorTurnedIsTurnedAlone) {
+  Structure s(0.5);
+  s.hit(0.1, 200.0);
+  std::vector<HammerRecord> records{s.record(1.0, 1), s.record(1.0, 2), s.record(1.0, 3)};
+  records[1].source = "second";
+  for (double& v : records[1].response) v = -v;
+  const auto got = analyseHammer(records, {});
+  ASSERT_TRUE(got.ok()) << got.error().line();
+  EXPECT_LT(worstError(got->frf, 350.0, 450.0), 0.02);
+  EXPECT_TRUE(says(*got, "against the force in second, and not in the other records: turned there"));
+}
+
+TEST(Hammer, AnOffsetOfEitherChannelIsTakenOff) {
+  Structure s(1.0);
+  s.hit(0.1, 200.0);
+  HammerRecord record = s.record();
+  for (double& v : record.force) v += 60.0;
+  for (double& v : record.response) v -= 30.0;
+  const auto got = analyseHammer({record}, {});
+  ASSERT_TRUE(got.ok()) << got.error().line();
+  EXPECT_NEAR(got->hits[0].peakForce, 200.0, 1.0);
+  EXPECT_LT(worstError(got->frf, 100.0, 1000.0), 5e-3);
+  EXPECT_FALSE(says(*got, "still rings"));
+}
+
+TEST(Hammer, ARecordThatBeginsInsideThePulseIsLeftOut) {
+  Structure s(1.0);
+  s.hit(0.1, 200.0);
+  HammerRecord record = s.record();
+  const auto rises = static_cast<std::ptrdiff_t>(0.1 * kRate) + 5;  // of 25 samples
+  record.force.erase(record.force.begin(), record.force.begin() + rises);
+  record.response.erase(record.response.begin(), record.response.begin() + rises);
+  const auto cut = analyseHammer({record}, {});
+  ASSERT_FALSE(cut.ok());
+  EXPECT_NE(cut.error().line().find("begins inside the pulse"), std::string::npos) << cut.error().line();
+  const auto both = analyseHammer({s.record(), record}, {});
+  ASSERT_TRUE(both.ok()) << both.error().line();
+  EXPECT_EQ(both->averages, 1);
+  EXPECT_TRUE(says(*both, "hit 2 left out: the record begins inside the pulse"));
+}
+
+TEST(Hammer, HitsAlongXAndAlongYInOneRecordAreToldApart) {
+  std::vector<Hit> x(3), y(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i].time = y[i].time = static_cast<double>(i);
+    x[i].response = i < 2 ? 10.0 : 1.5;
+    y[i].response = i < 2 ? 1.0 : 12.0;
+  }
+  const auto out = hitsAlongOther(x, y);
+  EXPECT_EQ(out[0], std::vector<int>{3});
+  EXPECT_EQ(out[1], (std::vector<int>{1, 2}));
+  x[1].response = 1.2;
+  EXPECT_TRUE(hitsAlongOther(x, y)[0].empty()) << "one hit moved both alike";
+  x[1].response = x[2].response = 100.0;
+  EXPECT_TRUE(hitsAlongOther(x, y)[0].empty()) << "all went along x";
 }
 
 TEST(Hammer, HitsOfSeveralRecordsAreAveragedAndNumberedOn) {
