@@ -43,6 +43,10 @@ constexpr auto kUnits = std::to_array<UnitRow>({
     {"Pa", K::Sensor, Q::Sound, 1.0},
     {"mPa", K::Sensor, Q::Sound, 1e-3},
     {"N", K::Sensor, Q::Force, 1.0},
+    {"Newton", K::Sensor, Q::Force, 1.0},
+    {"Newtons", K::Sensor, Q::Force, 1.0},
+    {"newton", K::Sensor, Q::Force, 1.0},
+    {"newtons", K::Sensor, Q::Force, 1.0},
     {"kN", K::Sensor, Q::Force, 1e3},
     {"mN", K::Sensor, Q::Force, 1e-3},
     {"lbf", K::Sensor, Q::Force, kPoundForce},
@@ -154,10 +158,39 @@ std::optional<UnitMeaning> unitFromText(std::string_view text) {
   return std::nullopt;
 }
 
+namespace {
+
+// "Hammer [V] (2.25 mV/N)", "Accel (V) 10.2 mV/g": the unit is in the middle, a sensitivity behind it.
+std::optional<NameAndUnit> splitAtVolts(std::string_view text) {
+  for (const std::string_view volts : {"(V)", "[V]", "(mV)", "[mV]"}) {
+    const std::size_t at = text.find(volts);
+    if (at == std::string_view::npos || at == 0) continue;
+    const std::string_view behind = trimmed(text.substr(at + volts.size()));
+    if (behind.find("V/") == std::string_view::npos) continue;
+    return NameAndUnit{std::string(trimmed(text.substr(0, at))) + " " + std::string(behind),
+                       std::string(volts.substr(1, volts.size() - 2))};
+  }
+  return std::nullopt;
+}
+
+// Where the bracket that closes at the end of `text` opens: "Accel (10.2 mV/(m/s^2))".
+std::size_t openingOfLast(std::string_view text) {
+  const char closing = text.back(), opening = closing == ')' ? '(' : '[';
+  int depth = 0;
+  for (std::size_t i = text.size(); i-- > 0;) {
+    if (text[i] == closing) ++depth;
+    if (text[i] == opening && --depth == 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+}  // namespace
+
 NameAndUnit splitNameAndUnit(std::string_view text) {
   const std::string_view t = trimmed(text);
+  if (auto both = splitAtVolts(t)) return *both;
   if (t.size() >= 3 && (t.back() == ')' || t.back() == ']')) {
-    const std::size_t open = t.rfind(t.back() == ')' ? '(' : '[');
+    const std::size_t open = openingOfLast(t);
     if (open != std::string_view::npos && open > 0) {
       return {std::string(trimmed(t.substr(0, open))), std::string(trimmed(t.substr(open + 1, t.size() - open - 2)))};
     }

@@ -25,7 +25,8 @@ struct UnitMeaning {
 // "m/s^2", "m/s²", "g", "um", "µm", "[N]", "(s)", "Volts" ...; nothing when the text is no unit we know.
 std::optional<UnitMeaning> unitFromText(std::string_view text);
 
-// "Accel X (m/s^2)" becomes name "Accel X" and unit "m/s^2"; without a trailing bracket the unit is empty.
+// "Accel X (m/s^2)" becomes name "Accel X" and unit "m/s^2"; without a trailing bracket the unit is empty. "Accel [V]
+// (100 mV/g)" becomes "Accel (100 mV/g)" and "V".
 struct NameAndUnit {
   std::string name;
   std::string unit;

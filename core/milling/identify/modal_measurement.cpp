@@ -171,8 +171,9 @@ Status findUnits(ModalAnswer& answer, const ModalOptions& options) {
 }
 
 Error measuredAlongZ(const std::string& source) {
-  return Error{source, message("its response is along z, and lobes are computed from x and y"),
-               message("if the sensor sat along x or y, name both: --response CHANNEL --axis x")};
+  return Error{
+      source, message("its response is along z, and lobes are computed from x and y"),
+      message("if the sensor sat along x or y, name it: --response CHANNEL or --dataset NUMBER, and --axis x")};
 }
 
 Result<ModalAnswer> identifyModes(const std::vector<std::string>& paths, const ModalRequest& request) {

@@ -170,11 +170,131 @@ TEST_F(FrfImport, WhatNobodySaysIsAskedForByName) {
                         return cells({f, std::abs(h), std::arg(h)});
                       })),
        "--phase-unit");
-  asks(import(frfText("f [Hz],mag [dB],phase [deg]\n",
-                      [](double f, Complex h) {
-                        return cells({f, 20 * std::log10(std::abs(h)), std::arg(h)});
-                      })),
-       "--unit");
+}
+
+TEST_F(FrfImport, DecibelsAreReadWhereTheirReferenceIsKnown) {
+  const auto of = [](double reference) {
+    return [reference](double f, Complex h) {
+      return cells({f, 20.0 * std::log10(std::abs(h) / reference), 360.0 / kTwoPi * std::arg(h)});
+    };
+  };
+  expectRight(import(frfText("f (Hz),Magnitude (dB re 1 m/N),Phase (deg)\n", of(1.0))));
+  expectRight(import(frfText("f (Hz),Magnitude (dB re 1e-12 m/N),Phase (deg)\n", of(1e-12))));
+  expectRight(import(frfText("f (Hz),Magnitude dB re 1 um/N,Phase (deg)\n", of(1e-6))));
+  expectRight(import(frfText("f (Hz),Amplitude dB (mm/N),Phase (deg)\n", of(1e-3))));
+  expectRight(import(frfText("f [Hz],Mag [dB um/N],Phase [deg]\n", of(1e-6))));
+  for (const char* header :
+       {"f (Hz),Magnitude (dB),Phase (deg)\n", "f (Hz),Mag dB,Phase (deg)\n", "f [Hz],mag [dB],phase [deg]\n"}) {
+    const auto asked = import(frfText(header, of(1e-12)));
+    ASSERT_FALSE(asked.ok()) << header;
+    EXPECT_NE(asked.error().line().find("are in decibels, and it does not say of what"), std::string::npos)
+        << asked.error().line();
+    ImportOptions given = options();
+    given.unit = "dB re 1e-12 m/N";
+    expectRight(import(frfText(header, of(1e-12)), given));
+    given.unit = "um/N";
+    expectRight(import(frfText(header, of(1e-6)), given));
+  }
+  const auto negative = import(frfText("f (Hz),Magnitude (m/N),Phase (deg)\n", of(1.0)));
+  ASSERT_FALSE(negative.ok());
+  EXPECT_NE(negative.error().line().find("--unit \"dB re 1 m/N\""), std::string::npos) << negative.error().line();
+  EXPECT_FALSE(import(frfText("f (Hz),Real (dB re 1 m/N),Imag (dB re 1 m/N)\n", of(1.0))).ok());
+}
+
+TEST_F(FrfImport, AUnitThatNobodyKnowsIsAskedForAndNotDropped) {
+  const auto row = [](double f, Complex h) { return cells({f, h.real(), h.imag()}); };
+  const auto asked = import(frfText("f (Hz),Real (counts),Imag (counts)\n", row));
+  ASSERT_FALSE(asked.ok());
+  EXPECT_NE(asked.error().line().find("unit 'counts' is not known"), std::string::npos) << asked.error().line();
+  ImportOptions given = options();
+  given.unit = "m/N";
+  expectRight(import(frfText("f (Hz),Real (counts),Imag (counts)\n", row), given));
+  expectRight(import(frfText("f (Hz),Re(Gxx) [m/N],Im(Gxx) [m/N]\n", row)));
+  expectRight(import(frfText("f (Hz),Real (part),Imag (part)\n", row), given));
+  const auto mixed = import(frfText("f (Hz),Real (m/N),Imag (um/N)\n", row));
+  ASSERT_FALSE(mixed.ok());
+  EXPECT_NE(mixed.error().line().find("its real part is in 'm/N' and its imaginary part in 'um/N'"), std::string::npos);
+  expectRight(import(frfText("f (Hz),Real (m/N),Imag (um/N)\n", row), given));
+}
+
+TEST_F(FrfImport, ForceOverResponseIsTurnedIntoResponseOverForce) {
+  const auto as = [](const std::function<Complex(double, Complex)>& quantity) {
+    return [quantity](double f, Complex h) {
+      const Complex v = quantity(kTwoPi * f, h);
+      return cells({f, v.real(), v.imag()});
+    };
+  };
+  const Complex i(0.0, 1.0);
+  const auto stiffness =
+      import(frfText("f (Hz),Real (N/um),Imag (N/um)\n", as([](double, Complex h) { return 1e-6 / h; })));
+  expectRight(stiffness);
+  ASSERT_EQ(stiffness->remarks.size(), 1u);
+  EXPECT_NE(text(stiffness->remarks[0]).find("turned into response over force"), std::string::npos);
+  expectRight(import(frfText("f (Hz),Real (N/m),Imag (N/m)\n", as([](double, Complex h) { return 1.0 / h; }))));
+  const auto mass = [](double w, Complex h) { return w > 0.0 ? 1.0 / (-w * w * h) : Complex(1.0, 0.0); };
+  expectRight(import(frfText("f (Hz),Real (kg),Imag (kg)\n", as(mass))));
+  expectRight(import(frfText("f (Hz),Real (N/(m/s^2)),Imag (N/(m/s^2))\n", as(mass))));
+  expectRight(import(frfText("f (Hz),Real (N s/m),Imag (N s/m)\n", as([i](double w, Complex h) {
+                               return w > 0.0 ? 1.0 / (i * w * h) : Complex(1.0, 0.0);
+                             }))));
+}
+
+TEST_F(FrfImport, TwoResponsesUnderOneNameAreAskedAbout) {
+  const std::string file = frfText("f (Hz),Real (m/N),Imag (m/N),Real (m/N),Imag (m/N)\n", [](double f, Complex h) {
+    return cells({f, h.real(), h.imag(), 0.1 * h.real(), 0.1 * h.imag()});
+  });
+  const auto asked = import(file);
+  ASSERT_FALSE(asked.ok());
+  EXPECT_NE(asked.error().line().find("holds 2 responses: '1', '2'"), std::string::npos) << asked.error().line();
+  const auto pandas =
+      import(frfText("f (Hz),Real (m/N),Imag (m/N),Real (m/N).1,Imag (m/N).1\n", [](double f, Complex h) {
+        return cells({f, h.real(), h.imag(), h.real(), h.imag()});
+      }));
+  ASSERT_FALSE(pandas.ok());
+  EXPECT_NE(pandas.error().line().find("holds 2 responses: '1', '2'"), std::string::npos) << pandas.error().line();
+  ImportOptions given = options();
+  given.responses = {"1"};
+  given.axes = {Axis::Y};
+  const auto first = import(file, given);
+  expectRight(first);
+  EXPECT_EQ(frfOf(first).axis, Axis::Y);
+}
+
+TEST_F(FrfImport, ACrossResponseIsTakenWhereOneIsWanted) {
+  ImportOptions cross = options();
+  cross.cross = true;
+  const auto scaled = [](double a, double b) {
+    return [a, b](double f, Complex h) { return cells({f, a * h.real(), a * h.imag(), b * h.real(), b * h.imag()}); };
+  };
+  expectRight(import(frfText("f (Hz),Re Gxx (m/N),Im Gxx (m/N),Re Gxy (m/N),Im Gxy (m/N)\n", scaled(9.0, 1.0)), cross));
+  const auto row = [](double f, Complex h) { return cells({f, h.real(), h.imag()}); };
+  expectRight(import(frfText("f (Hz),Re Gyx (m/N),Im Gyx (m/N)\n", row), cross));
+  expectRight(import(frfText("f (Hz),Re (m/N),Im (m/N)\n", row), cross));
+  const auto direct = import(frfText("f (Hz),Re Gxx (m/N),Im Gxx (m/N)\n", row), cross);
+  ASSERT_FALSE(direct.ok());
+  EXPECT_NE(direct.error().line().find("holds no response along one axis to a force along the other"),
+            std::string::npos);
+}
+
+TEST_F(FrfImport, FrequenciesWrittenAsComplexNumbersAreFrequencies) {
+  ImportOptions given = options();
+  given.unit = "m/N";
+  expectRight(import(frfText("",
+                             [](double f, Complex h) {
+                               char line[120];
+                               std::snprintf(line, sizeof line, " (%.6e+0.0e+00j)  (%.9e+%.9ej)", f, h.real(),
+                                             h.imag());
+                               return std::string(line);
+                             }),
+                     given));
+}
+
+TEST_F(FrfImport, LinesWithoutAValueAtZeroHertzAreLeftOut) {
+  const auto got = import(frfText("f (Hz),Re (m/N),Im (m/N)\n", [](double f, Complex h) {
+    return f == 0.0 ? std::string("0.0,nan,nan") : cells({f, h.real(), h.imag()});
+  }));
+  expectRight(got);
+  EXPECT_NE(text(got->remarks.at(0)).find("1 rows without a finite value are left out"), std::string::npos);
 }
 
 TEST_F(FrfImport, OptionsOverruleTheFile) {

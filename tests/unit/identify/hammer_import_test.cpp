@@ -67,6 +67,24 @@ TEST_F(HammerImport, VoltsNeedTheirSensitivities) {
   expectAsked(import(tapText("Time (s),Hammer (N),Accel (g)\n", 1, 1, 1), given), {"is not in volts"});
 }
 
+TEST_F(HammerImport, SensitivitiesOfTheHeaderAreUsed) {
+  const double g = 9.80665;
+  expectRight(import(tapText("Time (s),Hammer [V] (2.25 mV/N),Accel [V] (100 mV/g)\n", 1, 2.25e-3, 0.1 / g)));
+  expectRight(import(tapText("Time (s),Hammer (V) 2.25 mV/N,Accel (mV) 100 mV/g\n", 1, 2.25e-3, 100 / g)));
+  expectRight(import(tapText("Time (s),Hammer (V) 2.25 mV/N,Accel (V) 10.2 mV/(m/s^2)\n", 1, 2.25e-3, 10.2e-3)));
+  expectRight(import(tapText("Time (s),Hammer 2.25 mV/N (V),Accel 100 mV/g (V)\n", 1, 2.25e-3, 0.1 / g)));
+  const std::string bare = tapText("Time (s),Hammer (2.25 mV/N),Accel (10.2 mV/(m/s^2))\n", 1, 2.25e-3, 10.2e-3);
+  expectAsked(import(bare),
+              {"'Hammer', whose sensitivity is 2.25 mV/N, is in V or mV", "--force-unit V", "--response-unit V"});
+  ImportOptions given = options();
+  given.forceUnit = given.responseUnit = "V";
+  expectRight(import(bare, given));
+}
+
+TEST_F(HammerImport, ALineOfUnitsMayHaveWords) {
+  expectRight(import(tapText("Time,Hammer,Response\nSeconds,Newtons,g\n", 1, 1, 1 / 9.80665)));
+}
+
 TEST_F(HammerImport, UnitsNobodySaysAreAskedForTogether) {
   const std::string bare = tapText("Time (s),Force,Acc\n", 1, 1, 1);
   expectAsked(import(bare), {"'Force'", "'Acc'", "--force-unit", "--response-unit"});

@@ -65,9 +65,40 @@ TEST(NumberTable, NamesLineAndCause) {
   const auto ragged = parseNumberTable("1,2,3\n4,5,6\n7,8\n", "t", 3);
   ASSERT_FALSE(ragged.ok());
   EXPECT_EQ(ragged.error().line(), "t:3: has 2 columns (the rows before have 3)");
-  const auto nan = parseNumberTable("1,2,3\n4,nan,6\n", "t", 3);
-  ASSERT_FALSE(nan.ok());
-  EXPECT_EQ(nan.error().line(), "t:2: column 2 is not finite");
+}
+
+TEST(NumberTable, RowsThatAreNotFiniteAreLeftOutAndCounted) {
+  for (const char* first : {"0,nan,nan", "0,inf,0", "0,NaN,-inf"}) {
+    const auto table = parseNumberTable(std::string("f,re,im\n") + first + "\n1,2,3\n4,5,6\n", "t", 3);
+    ASSERT_TRUE(table.ok()) << table.error().line();
+    EXPECT_EQ(table->rows(), 2u);
+    EXPECT_EQ(table->leftOut, 1u);
+    EXPECT_EQ(table->columns[0].real[0], 1.0);
+  }
+  const auto empty = parseNumberTable("f [Hz],re,im\n0.0,,\n1,2,3\n4,5,6\n", "t", 3);
+  ASSERT_TRUE(empty.ok()) << empty.error().line();
+  EXPECT_EQ(empty->rows(), 2u);
+  EXPECT_EQ(empty->columns[0].name, "f");
+}
+
+TEST(NumberTable, EverySpellingOfAComplexNumber) {
+  for (const char* cell :
+       {"(3+-4j)", "3+-4j", "3-4j", "3-j4", "3 - 4i", "3-4*i", "(3,-4)", "5\xE2\x88\xA0-53.130102354156\xC2\xB0",
+        "5<-53.130102354156 deg", "5\xE2\x88\xA0-0.927295218001612 rad"}) {
+    const auto table = parseNumberTable(std::string("1;") + cell + "\n2;1+2j\n", "t", 3);
+    ASSERT_TRUE(table.ok()) << cell << table.error().line();
+    ASSERT_EQ(table->columns.size(), 2u) << cell;
+    EXPECT_NEAR(table->columns[1].real[0], 3.0, 1e-9) << cell;
+    EXPECT_NEAR(table->columns[1].imaginary[0], -4.0, 1e-9) << cell;
+  }
+  const auto positive = parseNumberTable("1\t1e-7+j3e-9\n2\t1e-7+-3e-9j\n", "t", 3);
+  ASSERT_TRUE(positive.ok()) << positive.error().line();
+  EXPECT_DOUBLE_EQ(positive->columns[1].real[0], 1e-7);
+  EXPECT_DOUBLE_EQ(positive->columns[1].imaginary[0], 3e-9);
+  EXPECT_DOUBLE_EQ(positive->columns[1].imaginary[1], -3e-9);
+  for (const char* cell : {"5<30", "3++4j", "j", "(3,4", "ij"}) {
+    EXPECT_FALSE(parseNumberTable(std::string("1;") + cell + "\n2;" + cell + "\n", "t", 3).ok()) << cell;
+  }
 }
 
 TEST(NumberTable, RefusesProseAndBytes) {

@@ -76,6 +76,14 @@ TEST(UnitNames, ANameAndItsUnitArePartedAtTheLastBracket) {
   const auto square = splitNameAndUnit(" Force [kN] ");
   EXPECT_EQ(square.name, "Force");
   EXPECT_EQ(square.unit, "kN");
+  const auto nested = splitNameAndUnit("Accel (10.2 mV/(m/s^2))");
+  EXPECT_EQ(nested.name, "Accel");
+  EXPECT_EQ(nested.unit, "10.2 mV/(m/s^2)");
+  for (const char* text : {"Hammer [V] (2.25 mV/N)", "Hammer (V) (2.25 mV/N)"}) {
+    const auto volts = splitNameAndUnit(text);
+    EXPECT_EQ(volts.name, "Hammer (2.25 mV/N)") << text;
+    EXPECT_EQ(volts.unit, "V") << text;
+  }
   const auto alone = splitNameAndUnit("Sensor 3");
   EXPECT_EQ(alone.name, "Sensor 3");
   EXPECT_EQ(alone.unit, "");

@@ -72,6 +72,16 @@ std::vector<Axis> axesOf(const std::vector<OfferedResponse>& offered) {
   return axes;
 }
 
+void nameUnused(Choice& choice, const std::vector<OfferedResponse>& offered) {
+  std::string names;
+  for (std::size_t i = 0; i < offered.size(); ++i) {
+    const bool taken = std::any_of(choice.responses.begin(), choice.responses.end(),
+                                   [i](const ChosenResponse& c) { return c.offered == i; });
+    if (!taken) names += (names.empty() ? "'" : ", '") + offered[i].name + "'";
+  }
+  if (!names.empty()) choice.remarks.push_back(message("not used: %1", names));
+}
+
 }  // namespace
 
 Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& wanted,
@@ -86,15 +96,31 @@ Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, cons
   const bool takesCross = force == ForceAxis::Overruled && !wanted.empty();
   auto choice = choose(offered, axes, where, option, takesCross);
   if (!choice) return choice;
-  std::vector<std::string> left;
+  nameUnused(*choice, offered);
+  return choice;
+}
+
+Result<Choice> chooseCross(const std::vector<OfferedResponse>& offered, const std::string& where) {
+  std::vector<std::size_t> found;
   for (std::size_t i = 0; i < offered.size(); ++i) {
-    const bool taken = std::any_of(choice->responses.begin(), choice->responses.end(),
-                                   [i](const ChosenResponse& c) { return c.offered == i; });
-    if (!taken) left.push_back(offered[i].name);
+    const bool alongZ = offered[i].along == Axis::Z || offered[i].force == Axis::Z;
+    if (isCross(offered[i]) && !alongZ) found.push_back(i);
   }
-  std::string names;
-  for (const std::string& one : left) names += (names.empty() ? "'" : ", '") + one + "'";
-  if (!left.empty()) choice->remarks.push_back(message("not used: %1", names));
+  const auto unsaid = [](const OfferedResponse& o) { return o.along == Axis::Unknown || o.force == Axis::Unknown; };
+  if (found.empty() && offered.size() == 1 && unsaid(offered[0])) found.push_back(0);
+  if (found.empty()) {
+    return Error{where, message("holds no response along one axis to a force along the other"),
+                 message("it holds %1", listOf(offered))};
+  }
+  const OfferedResponse& first = offered[found[0]];
+  for (const std::size_t i : found) {
+    if (i == found[0] || offered[i].along != first.along) continue;
+    return Error{where, message("holds several cross responses: %1", listOf(offered)),
+                 message("a file with one of them is needed")};
+  }
+  Choice choice;
+  choice.responses.push_back({found[0], first.along});
+  nameUnused(choice, offered);
   return choice;
 }
 

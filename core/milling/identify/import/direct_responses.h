@@ -36,4 +36,8 @@ enum class ForceAxis { Fixed, Overruled };
 Result<Choice> chooseResponses(const std::vector<OfferedResponse>& offered, const std::vector<Axis>& wanted,
                                const std::string& where, const std::string& option, ForceAxis force);
 
+// The response along x or y to a force along the other: the two are equal (Maxwell), so that either will do. A response
+// of which the file says nothing is taken at the caller's word.
+Result<Choice> chooseCross(const std::vector<OfferedResponse>& offered, const std::string& where);
+
 }  // namespace stillcut::identify

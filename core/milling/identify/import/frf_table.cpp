@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -35,13 +36,31 @@ std::string lowered(std::string text) {
   return text;
 }
 
-void place(std::size_t column, ColumnRole role, Columns& of) {
-  if (role == R::Complex) of.real = of.imaginary = column;
-  if (role == R::Real) of.real = column;
-  if (role == R::Imaginary) of.imaginary = column;
-  if (role == R::Magnitude) of.magnitude = column;
-  if (role == R::Phase) of.phase = column;
-  if (role == R::Coherence) of.coherence = column;
+// False where the response has such a column already.
+bool place(std::size_t column, ColumnRole role, Columns& of) {
+  const auto take = [column](std::size_t& member) {
+    if (member != kNone) return false;
+    member = column;
+    return true;
+  };
+  if (role == R::Complex) return of.imaginary == kNone && take(of.real) && take(of.imaginary);
+  if (role == R::Real) return take(of.real);
+  if (role == R::Imaginary) return take(of.imaginary);
+  if (role == R::Magnitude) return take(of.magnitude);
+  if (role == R::Phase) return take(of.phase);
+  return take(of.coherence);
+}
+
+// Several of one name are numbered.
+void nameAlike(std::vector<Columns>& all) {
+  std::map<std::string, int> seen;
+  for (const Columns& r : all) ++seen[r.name];
+  std::map<std::string, int> number;
+  for (Columns& r : all) {
+    if (seen[r.name] < 2) continue;
+    const std::string count = std::to_string(++number[r.name]);
+    r.name += (r.name.empty() ? "" : " ") + count;
+  }
 }
 
 std::vector<Columns> responsesIn(const std::vector<ColumnMeaning>& meanings) {
@@ -49,27 +68,31 @@ std::vector<Columns> responsesIn(const std::vector<ColumnMeaning>& meanings) {
   for (std::size_t c = 0; c < meanings.size(); ++c) {
     const ColumnMeaning& m = meanings[c];
     if (m.role == R::Unknown || m.role == R::RowNumber || m.role == R::Frequency) continue;
-    auto at = std::find_if(all.begin(), all.end(), [&](const Columns& r) { return r.name == m.response; });
-    if (at == all.end()) {
-      all.push_back({m.response, m.along, m.force});
-      at = all.end() - 1;
-    }
-    place(c, m.role, *at);
+    const bool placed =
+        std::any_of(all.begin(), all.end(), [&](Columns& r) { return r.name == m.response && place(c, m.role, r); });
+    if (placed) continue;
+    all.push_back({m.response, m.along, m.force});
+    place(c, m.role, all.back());
   }
   // A coherence without the name of its response belongs to the only one there is.
   std::size_t coherence = kNone;
   for (const Columns& r : all) coherence = !r.complete() && r.coherence != kNone ? r.coherence : coherence;
   std::erase_if(all, [](const Columns& r) { return !r.complete(); });
   if (all.size() == 1 && all[0].coherence == kNone) all[0].coherence = coherence;
+  nameAlike(all);
   return all;
 }
 
-// Those that were named; whoever names one knows that it is along the hit.
-Status keepNamed(std::vector<Columns>& responses, const std::vector<std::string>& names, const std::string& where) {
+// Those that were named; whoever names one knows that it is along the hit, and where one axis is named too, along
+// which.
+Status keepNamed(std::vector<Columns>& responses, const ImportOptions& options, const std::string& where) {
+  const std::vector<std::string>& names = options.responses;
   if (names.empty()) return Done{};
   std::string held;
   for (Columns& r : responses) {
     held += (held.empty() ? "'" : ", '") + r.name + "'";
+    if (options.cross) continue;
+    if (names.size() == 1 && options.axes.size() == 1) r.along = options.axes.front();
     r.force = r.along;
   }
   std::erase_if(responses, [&](const Columns& r) {
@@ -77,6 +100,18 @@ Status keepNamed(std::vector<Columns>& responses, const std::vector<std::string>
   });
   if (!responses.empty()) return Done{};
   return Error{where, message("holds no response '%1'", names.front()), message("it holds %1", held)};
+}
+
+// Two units over the parts of one number: at least one of them is wrong.
+Status checkAlike(const NumberTable& table, const Columns& r, const std::string& where) {
+  if (!r.cartesian()) return Done{};
+  const std::string &re = table.columns[r.real].unit, &im = table.columns[r.imaginary].unit;
+  const auto a = frfUnit(re), b = frfUnit(im);
+  const bool alike = a && b ? a->quantity == b->quantity && a->factor == b->factor : re == im;
+  if (alike || re.empty() || im.empty()) return Done{};
+  return Error{
+      where, message("its real part is in '%1' and its imaginary part in '%2'", uff::printable(re), uff::printable(im)),
+      message("correct the header, or give the unit of both with --unit")};
 }
 
 // The unit over the columns of one response, else the header's, else the words behind the first row.
@@ -135,8 +170,11 @@ Result<double> angleFactor(const NumberTable& table, std::size_t column, const s
 }
 
 Result<std::vector<std::complex<double>>> valuesOf(const NumberTable& table, const Columns& r, const std::string& where,
-                                                   const ImportOptions& options) {
+                                                   const ImportOptions& options, bool decibels) {
   std::vector<std::complex<double>> values(table.rows());
+  if (decibels && r.cartesian()) {
+    return Error{where, message("real and imaginary part have no decibels"), message("correct the unit in its header")};
+  }
   if (r.cartesian()) {
     const TableColumn& re = table.columns[r.real];
     const std::vector<double>& im = r.imaginary == r.real ? re.imaginary : table.columns[r.imaginary].real;
@@ -146,21 +184,28 @@ Result<std::vector<std::complex<double>>> valuesOf(const NumberTable& table, con
   const auto factor = angleFactor(table, r.phase, where, options);
   if (!factor) return factor.error();
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double size = table.columns[r.magnitude].real[i];
-    if (size < 0.0) {
+    const double said = table.columns[r.magnitude].real[i];
+    if (said < 0.0 && !decibels) {
       return Error{where, message("its magnitudes fall below zero"),
-                   message("decibels have no unit to read them by: export them linear, or real and imaginary part")};
+                   message("if they are decibels, say of what: --unit \"dB re 1 m/N\"")};
     }
+    const double size = decibels ? std::pow(10.0, said / 20.0) : said;
     values[i] = std::polar(size, *factor * table.columns[r.phase].real[i]);
   }
   return values;
 }
 
 Result<Frf> frfOf(const NumberTable& table, const Columns& r, const std::string& where, const ImportOptions& options) {
+  if (options.unit.empty() && !options.scale) {
+    if (const Status alike = checkAlike(table, r, where); !alike) return alike.error();
+  }
   const auto unit = settleUnit(labelOf(table, r), where, options);
   if (!unit) return unit.error();
-  auto values = valuesOf(table, r, where, options);
+  auto values = valuesOf(table, r, where, options, unit->decibels);
   if (!values) return values.error();
+  if (unit->inverse) {
+    for (auto& v : *values) v = v == 0.0 ? 0.0 : 1.0 / v;
+  }
   Frf frf;
   frf.quantity = unit->unit.quantity;
   frf.unitKnown = unit->known;
@@ -176,9 +221,18 @@ Result<Frf> frfOf(const NumberTable& table, const Columns& r, const std::string&
 Result<SettledUnit> settleUnit(const std::string& label, const std::string& where, const ImportOptions& options) {
   SettledUnit settled;
   const std::string& said = options.unit.empty() ? label : options.unit;
+  const auto logarithm = decibels(said);
+  const bool given = options.quantity && options.scale;
   if (const auto unit = frfUnit(said)) {
-    settled = {*unit, true};
-  } else if (!said.empty() && !(options.quantity && options.scale)) {
+    settled = {*unit, true, false, decibels(label).has_value()};
+  } else if (const auto inverse = inverseFrfUnit(said)) {
+    settled = {*inverse, true, true, false};
+  } else if (logarithm && (logarithm->reference || given)) {
+    settled = {logarithm->reference.value_or(ResponseUnit{}), true, false, true};
+  } else if (logarithm) {
+    return Error{where, message("its magnitudes are in decibels, and it does not say of what"),
+                 message("give --unit, as --unit \"dB re 1 m/N\" or \"dB re 1e-6 m/N\"")};
+  } else if (!said.empty() && !given) {
     return Error{where, message("unit '%1' is not known", uff::printable(said)),
                  message("give the unit of its response with --unit, as --unit m/N, um/N, (m/s^2)/N or g/N")};
   }
@@ -197,15 +251,19 @@ Result<ImportedFrfs> frfsFromTable(const NumberTable& table, const std::string& 
     return Error{where, message("its columns do not say which is frequency, real and imaginary part"),
                  message("name them in its first line: Frequency [Hz], Real [m/N], Imag [m/N]")};
   }
-  if (const Status named = keepNamed(responses, options.responses, where); !named) return named.error();
+  if (const Status named = keepNamed(responses, options, where); !named) return named.error();
   ImportedFrfs imported;
+  if (table.leftOut > 0) {
+    imported.remarks.push_back(message("%1 rows without a finite value are left out", std::to_string(table.leftOut)));
+  }
   const auto at = static_cast<std::size_t>(frequency - meanings.begin());
   const auto lines = frequenciesIn(table, at, where, options, imported.remarks);
   if (!lines) return lines.error();
   std::vector<OfferedResponse> offered;
   offered.reserve(responses.size());
   for (const Columns& r : responses) offered.push_back({r.name, r.along, r.force});
-  const auto choice = chooseResponses(offered, options.axes, where, "--response", ForceAxis::Fixed);
+  const auto choice = options.cross ? chooseCross(offered, where)
+                                    : chooseResponses(offered, options.axes, where, "--response", ForceAxis::Fixed);
   if (!choice) return choice.error();
   imported.remarks.insert(imported.remarks.end(), choice->remarks.begin(), choice->remarks.end());
   for (const ChosenResponse& chosen : choice->responses) {
@@ -213,6 +271,9 @@ Result<ImportedFrfs> frfsFromTable(const NumberTable& table, const std::string& 
     if (!frf) return frf.error();
     frf->frequency = *lines;
     frf->axis = chosen.axis;
+    if (settleUnit(labelOf(table, responses[chosen.offered]), where, options)->inverse) {
+      imported.remarks.push_back(message("force over response in the file: turned into response over force"));
+    }
     imported.frfs.push_back(std::move(*frf));
   }
   return imported;

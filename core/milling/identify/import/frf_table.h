@@ -27,6 +27,8 @@ bool looksLikeFrfs(const NumberTable& table);
 struct SettledUnit {
   ResponseUnit unit;
   bool known = false;
+  bool inverse = false;   // the values are force over response
+  bool decibels = false;  // 20 log10 of the values in `unit`
 };
 Result<SettledUnit> settleUnit(const std::string& label, const std::string& where, const ImportOptions& options);
 

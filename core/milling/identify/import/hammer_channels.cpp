@@ -92,8 +92,8 @@ struct Meaning {
 
 // What the options say of one channel.
 struct Given {
-  const std::string& unit;
-  const std::string& sensitivity;
+  std::string unit;
+  std::string sensitivity;
   std::optional<double> scale;
   std::string prefix;  // of the options: "--force"
 };
@@ -142,7 +142,7 @@ Result<Meaning> byUnit(Meaning meaning, const std::string& label, const std::str
 
 Result<Meaning> meaningOf(const TimeChannels& all, std::size_t c, bool force, const ImportOptions& options) {
   const TimeChannel& channel = all.channels[c];
-  const Given given = givenFor(force, options);
+  Given given = givenFor(force, options);
   const std::string label = given.unit.empty() ? channel.unit : given.unit;
   const auto volts = voltageUnit(label);
   Meaning meaning;
@@ -158,6 +158,13 @@ Result<Meaning> meaningOf(const TimeChannels& all, std::size_t c, bool force, co
   if (channel.unit == kFullScale && !channel.toSi && !given.scale) {
     meaning.missing = message("what the full scale of '%1' is", nameOf(all, c));
     meaning.option = given.prefix + "-unit and " + given.prefix + "-scale";
+    return meaning;
+  }
+  if (given.sensitivity.empty()) given.sensitivity = channel.sensitivity;
+  if (!channel.sensitivity.empty() && label.empty()) {
+    meaning.missing = message("whether '%1', whose sensitivity is %2, is in V or mV", nameOf(all, c),
+                              uff::printable(channel.sensitivity));
+    meaning.option = given.prefix + "-unit V or mV";
     return meaning;
   }
   meaning.factor = given.scale.value_or(1.0) * volts.value_or(1.0);

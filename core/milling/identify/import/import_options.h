@@ -30,6 +30,7 @@ struct ImportOptions {
   std::optional<FrfQuantity> quantity;  // instead of the unit's
   std::optional<double> scale;          // SI units per unit of the file, instead of the unit's
   std::optional<std::size_t> dataset;   // which one of a universal file, from 0
+  bool cross = false;                   // the response along one axis to a force along another is wanted, and no other
   // A hammer record. Channels by their name or number, from 0.
   std::string force;
   std::vector<std::string> responses;

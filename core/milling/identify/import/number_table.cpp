@@ -5,7 +5,9 @@
 #include <cmath>
 #include <complex>
 #include <optional>
+#include <utility>
 
+#include "core/base/units.h"
 #include "core/formats/text/text_cells.h"
 #include "core/formats/utf_text.h"
 #include "core/milling/identify/import/table_header.h"
@@ -35,33 +37,88 @@ std::optional<double> realNumber(std::string_view cell, bool decimalComma) {
   return uff::wholeNumber(text);
 }
 
-// "a+bi", "(a-bj)", "bi"; blanks and '*' anywhere.
-std::optional<Cell> complexNumber(std::string_view cell, bool decimalComma) {
+bool isOneOf(char c, std::string_view set) {
+  return set.find(c) != std::string_view::npos;
+}
+
+// Where the imaginary part of "a+b" begins: its last sign that is none of an exponent; the end where there is none.
+std::size_t signOfSecond(std::string_view text) {
+  for (std::size_t i = text.size(); i-- > 1;) {
+    if (isOneOf(text[i], "+-") && !isOneOf(text[i - 1], "eEdD")) return i;
+  }
+  return text.size();
+}
+
+// "a+bi", "(a-bj)", "bi", "a+jb"; blanks and '*' anywhere; and as numpy writes a negative one, "a+-bj".
+std::optional<Cell> cartesianNumber(std::string_view cell, bool decimalComma) {
   std::string text;
   for (const char c : cell) {
-    if (std::string_view(" ()*").find(c) == std::string_view::npos) text += c;
+    if (!isOneOf(c, " ()*")) text += c;
   }
-  if (text.size() < 2 || std::string_view("ijIJ").find(text.back()) == std::string_view::npos) return std::nullopt;
-  text.pop_back();
-  std::size_t sign = text.size();
-  for (std::size_t i = text.size(); i-- > 1;) {
-    const bool exponent = std::string_view("eEdD").find(text[i - 1]) != std::string_view::npos;
-    if ((text[i] != '+' && text[i] != '-') || exponent) continue;
-    sign = i;
-    break;
+  if (text.size() < 2) return std::nullopt;
+  std::size_t sign = signOfSecond(text);
+  if (isOneOf(text.back(), "ijIJ")) {
+    text.pop_back();
+    sign = signOfSecond(text);
+  } else if (sign + 1 < text.size() && isOneOf(text[sign + 1], "ijIJ")) {
+    text.erase(sign + 1, 1);
+  } else {
+    return std::nullopt;
   }
   std::string imaginary = sign < text.size() ? text.substr(sign) : text;
   if (imaginary.starts_with('+')) imaginary.erase(0, 1);
-  const auto real = sign < text.size() ? realNumber(text.substr(0, sign), decimalComma) : 0.0;
+  std::string first = sign < text.size() ? text.substr(0, sign) : "0";
+  if (first.size() > 1 && first.back() == '+' && imaginary.starts_with('-')) first.pop_back();
+  const auto real = realNumber(first, decimalComma);
   const auto second = realNumber(imaginary, decimalComma);
   if (!real || !second) return std::nullopt;
   return Cell{*real, *second, true};
 }
 
+// "(a,b)".
+std::optional<Cell> pairNumber(std::string_view cell, bool decimalComma) {
+  const std::size_t comma = cell.find(',');
+  if (decimalComma || comma == std::string_view::npos || !cell.starts_with('(') || !cell.ends_with(')')) {
+    return std::nullopt;
+  }
+  const auto real = realNumber(cell.substr(1, comma - 1), false);
+  const auto imaginary = realNumber(cell.substr(comma + 1, cell.size() - comma - 2), false);
+  if (!real || !imaginary) return std::nullopt;
+  return Cell{*real, *imaginary, true};
+}
+
+// "a∠b°", "a<b deg", "a∠b rad": an angle without a unit could be either.
+std::optional<Cell> polarNumber(std::string_view cell, bool decimalComma) {
+  constexpr std::string_view kAngle = "\xE2\x88\xA0";
+  std::size_t mark = cell.find(kAngle), length = kAngle.size();
+  if (mark == std::string_view::npos) {
+    mark = cell.find('<');
+    length = 1;
+  }
+  if (mark == std::string_view::npos) return std::nullopt;
+  std::string_view angle = uff::trimmed(cell.substr(mark + length));
+  double factor = 0.0;
+  for (const auto& [unit, radians] : {std::pair{std::string_view("\xC2\xB0"), kTwoPi / 360.0},
+                                      {std::string_view("\xB0"), kTwoPi / 360.0},
+                                      {std::string_view("deg"), kTwoPi / 360.0},
+                                      {std::string_view("rad"), 1.0}}) {
+    if (factor != 0.0 || !angle.ends_with(unit)) continue;
+    angle.remove_suffix(unit.size());
+    factor = radians;
+  }
+  const auto size = realNumber(cell.substr(0, mark), decimalComma);
+  const auto turned = realNumber(angle, decimalComma);
+  if (!size || !turned || factor == 0.0) return std::nullopt;
+  const std::complex<double> value = std::polar(std::abs(*size), factor * *turned) * (*size < 0.0 ? -1.0 : 1.0);
+  return Cell{value.real(), value.imag(), true};
+}
+
 std::optional<Cell> numberIn(std::string_view cell, bool decimalComma) {
   if (cell.empty()) return std::nullopt;
   if (const auto real = realNumber(cell, decimalComma)) return Cell{*real, 0.0, false};
-  return complexNumber(cell, decimalComma);
+  if (const auto cartesian = cartesianNumber(cell, decimalComma)) return cartesian;
+  if (const auto pair = pairNumber(cell, decimalComma)) return pair;
+  return polarNumber(cell, decimalComma);
 }
 
 // One line cut into its leading numbers and what follows them.
@@ -126,11 +183,13 @@ Status addRow(NumberTable& table, const Row& row, const std::string& where, std:
     return badRow(where, line, message("has %1 columns", std::to_string(row.numbers.size())),
                   message("the rows before have %1", std::to_string(table.columns.size())));
   }
+  const auto finite = [](const Cell& cell) { return std::isfinite(cell.real) && std::isfinite(cell.imaginary); };
+  if (!std::all_of(row.numbers.begin(), row.numbers.end(), finite)) {
+    ++table.leftOut;
+    return Done{};
+  }
   for (std::size_t c = 0; c < row.numbers.size(); ++c) {
     const Cell& cell = row.numbers[c];
-    if (!std::isfinite(cell.real) || !std::isfinite(cell.imaginary)) {
-      return badRow(where, line, message("column %1 is not finite", std::to_string(c + 1)));
-    }
     TableColumn& column = table.columns[c];
     if (cell.complex && column.imaginary.empty()) column.imaginary.assign(column.real.size(), 0.0);
     column.real.push_back(cell.real);
@@ -174,6 +233,12 @@ struct Parser {
   }
 };
 
+// numpy writes frequencies beside complex values as complex ones, "(5+0j)".
+void dropEmptyImaginary(TableColumn& column) {
+  const bool any = std::any_of(column.imaginary.begin(), column.imaginary.end(), [](double v) { return v != 0.0; });
+  if (!any) column.imaginary.clear();
+}
+
 }  // namespace
 
 Result<NumberTable> parseNumberTable(std::string_view text, const std::string& where, std::size_t leastNumbers) {
@@ -188,6 +253,7 @@ Result<NumberTable> parseNumberTable(std::string_view text, const std::string& w
     return Error{where, message("holds no rows of %1 numbers", std::to_string(leastNumbers)),
                  message("not a table of numbers")};
   }
+  dropEmptyImaginary(parser.table.columns.front());
   nameColumns(parser.table, parser.format.delimiter);
   return std::move(parser.table);
 }

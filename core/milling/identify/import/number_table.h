@@ -1,7 +1,8 @@
 // Columns of numbers from text: tab, semicolon, comma or blanks between them, a point or a comma as decimal sign, whole
-// complex numbers ("1.2e-7-3e-9i", "(1+2j)"), header lines of any length before the first row, in UTF-8 or Latin-1.
-// Strict: every row has as many columns as the first, every value is finite.
-// Thread: any, set-up path. Memory: at most six times the text.
+// complex numbers ("1.2e-7-3e-9i", "(1+2j)", "(1,2)", "1∠2°"), header lines of any length before the first row, in
+// UTF-8 or Latin-1. Strict: every row has as many columns as the first. Rows with a value that is not finite are left
+// out and counted: a response divided by a frequency of 0 is none. Thread: any, set-up path. Memory: at most six times
+// the text.
 #pragma once
 
 #include <string>
@@ -23,6 +24,7 @@ struct NumberTable {
   std::vector<std::string> header;   // lines before the first row, at most 512, UTF-8
   std::vector<std::string> remarks;  // words behind the numbers of the first row, as CutPro puts its header there
   std::vector<TableColumn> columns;
+  std::size_t leftOut = 0;  // rows
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().real.size(); }
 };
 

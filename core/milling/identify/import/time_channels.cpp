@@ -49,6 +49,27 @@ void readName(TimeChannel& channel) {
   if (has("disp", "weg", "gap")) channel.response = FrfQuantity::Compliance;
 }
 
+// "Hammer (2.25 mV/N)", "Accel 10.2 mV/g": out of the name or the unit into a place of its own.
+void takeSensitivity(TimeChannel& channel) {
+  if (sensitivityFromText(channel.unit)) {
+    channel.sensitivity = channel.unit;
+    channel.unit.clear();
+  } else {
+    const std::size_t volts = channel.name.find("V/");
+    if (volts == std::string::npos) return;
+    std::size_t begin = channel.name.find_last_of("0123456789", volts);
+    if (begin == std::string::npos) return;
+    begin = channel.name.find_last_not_of("0123456789.", begin) + 1;
+    if (!sensitivityFromText(std::string_view(channel.name).substr(begin))) return;
+    channel.sensitivity = channel.name.substr(begin);
+    const std::size_t last = channel.name.find_last_not_of(" ([,:=", begin == 0 ? 0 : begin - 1);
+    channel.name = last == std::string::npos ? "" : channel.name.substr(0, begin == 0 ? 0 : last + 1);
+  }
+  const auto response = sensitivityFromText(channel.sensitivity)->response;
+  channel.force = !response.has_value();
+  channel.response = response;
+}
+
 TimeChannel channelOf(const record::RecordedChannel& from) {
   TimeChannel channel;
   channel.name = from.info.name;
@@ -68,6 +89,7 @@ TimeChannel channelOf(const record::RecordedChannel& from) {
   } else if (asResponse) {
     channel.response = asResponse->quantity;
   }
+  takeSensitivity(channel);
   readName(channel);
   readAxis(channel);
   return channel;

@@ -17,6 +17,7 @@ inline constexpr std::int64_t kMostSamples = 100'000'000;
 struct TimeChannel {
   std::string name;
   std::string unit;                     // as the file spells it; empty: not said
+  std::string sensitivity;              // "2.25 mV/N", where name or unit say it
   std::optional<double> toSi;           // where the file's reader knows the factor
   bool force = false;                   // said by quantity or name
   std::optional<FrfQuantity> response;  // said by quantity, unit or name: what its response over force would be

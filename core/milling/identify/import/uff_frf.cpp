@@ -80,8 +80,16 @@ Result<Frf> frfOf(const Uff58Dataset& set, const std::optional<UffUnits>& units,
     }
   }
   if (set.x.empty() || set.x.front() < 0.0) return Error{where, message("holds negative frequencies")};
+  if (isForce(set.ordinate.quantity) && quantityOf(set.denominator.quantity)) {
+    return Error{where, message("holds force over response, a dynamic stiffness"),
+                 message("export response over force")};
+  }
   const auto unit = unitOf(set, units, where, options);
   if (!unit) return unit.error();
+  if (unit->decibels || unit->inverse) {
+    return Error{where, message("unit '%1' is not that of a response over a force", uff::printable(set.ordinate.unit)),
+                 message("export response over force, linear")};
+  }
   const std::string& label = options.frequencyUnit.empty() ? set.abscissa.unit : options.frequencyUnit;
   const double hertz = frequencyUnit(label).value_or(1.0);  // the format's own unit where nothing else is said
   Frf frf;
@@ -138,11 +146,15 @@ Result<ImportedFrfs> frfsFromUff(const std::vector<Uff58Dataset>& sets, const st
   for (const std::size_t i : *wanted) {
     const Uff58Dataset& set = *responses[i];
     offered.push_back({nameOf(set, i), axisOf(set.responseDirection), axisOf(set.referenceDirection)});
-    if (options.dataset) offered.back().force = offered.back().along;  // named: whoever asks for it knows what it is
+    if (options.dataset) {  // named: whoever asks for it knows what it is
+      if (options.axes.size() == 1) offered.back().along = options.axes.front();
+      offered.back().force = offered.back().along;
+    }
     // Another point of the structure is no driving point, whatever its direction.
     if (set.responseNode != set.referenceNode && wanted->size() > 1) offered.back().along = Axis::Unknown;
   }
-  const auto choice = chooseResponses(offered, options.axes, where, "--dataset", ForceAxis::Fixed);
+  const auto choice = options.cross ? chooseCross(offered, where)
+                                    : chooseResponses(offered, options.axes, where, "--dataset", ForceAxis::Fixed);
   if (!choice) return choice.error();
   ImportedFrfs imported;
   imported.remarks = choice->remarks;

@@ -101,6 +101,40 @@ std::optional<ResponseUnit> frfUnit(std::string_view label) {
   return unit;
 }
 
+std::optional<ResponseUnit> inverseFrfUnit(std::string_view label) {
+  const std::string name = bare(label);
+  if (name == "kg") return ResponseUnit{FrfQuantity::Accelerance, 1.0};
+  for (const std::string_view impedance : {"Ns/m", "N*s/m", "N.s/m", "N\xC2\xB7s/m"}) {
+    if (name == impedance) return ResponseUnit{FrfQuantity::Mobility, 1.0};
+  }
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto force = forceUnit(name.substr(0, slash));
+  auto unit = responseUnit(name.substr(slash + 1));
+  if (!unit || !force) return std::nullopt;
+  unit->factor /= *force;
+  return unit;
+}
+
+std::optional<Decibels> decibels(std::string_view label) {
+  std::string_view rest = uff::trimmed(label);
+  if (lower(std::string(rest.substr(0, 2))) != "db") return std::nullopt;
+  rest.remove_prefix(2);
+  for (const std::string_view word : {"ref", "rel", "re"}) {
+    const std::string_view next = uff::trimmed(rest);
+    if (!next.starts_with(word)) continue;
+    rest = next.substr(word.size());
+    break;
+  }
+  while (!rest.empty() && std::string_view(" .:/").find(rest.front()) != std::string_view::npos) rest.remove_prefix(1);
+  if (rest.empty()) return Decibels{};
+  const double size = uff::takeNumber(rest).value_or(1.0);
+  auto unit = frfUnit(rest);
+  if (!unit || !(size > 0.0)) return std::nullopt;
+  unit->factor *= size;
+  return Decibels{unit};
+}
+
 std::optional<double> frequencyUnit(std::string_view label) {
   const std::string name = lower(bare(label));
   if (name == "hz" || name == "hertz" || name == "cps" || name == "1/s") return 1.0;

@@ -20,6 +20,14 @@ std::optional<ResponseUnit> responseUnit(std::string_view label);
 std::optional<double> forceUnit(std::string_view label);
 // A whole FRF unit: "m/N", "(m/s^2)/N", "1/N*(m/s2)", "g/lbf", "1/kg" ...
 std::optional<ResponseUnit> frfUnit(std::string_view label);
+// Force over response, as dynamic stiffness "N/um", apparent mass "kg" and impedance "N s/m" are measured: the unit
+// that one over it has.
+std::optional<ResponseUnit> inverseFrfUnit(std::string_view label);
+// "dB", "dB re 1e-12 m/N", "dB (m/s^2)/N". The reference is left out where the label does not say it.
+struct Decibels {
+  std::optional<ResponseUnit> reference;  // what 0 dB is
+};
+std::optional<Decibels> decibels(std::string_view label);
 // Factor to Hz: "Hz", "kHz", "rad/s", "1/min".
 std::optional<double> frequencyUnit(std::string_view label);
 // Factor to V: "V", "mV", "Volts".
