@@ -19,8 +19,8 @@ using namespace milling;
 struct AdviseCommand {
   CutOptions cut;
   std::string speeds;
-  double depthMm = 0.0, feedMm = 0.0, cuttingSpeed = 0.0;  // 0: what the file says
-  double pitchAt = 0.0;                                    // [rev/min]; 0: speeds are asked for, not pitches
+  double depthMm = 0.0, cuttingSpeed = 0.0;  // 0: what the file says
+  double pitchAt = 0.0;                      // [rev/min]; 0: speeds are asked for, not pitches
   int threads = 2;
   bool json = false;
 };
@@ -28,7 +28,7 @@ struct AdviseCommand {
 Result<AdviceRequest> requestOf(const AdviseCommand& c, const CutFile& cut) {
   AdviceRequest request;
   request.depth = c.depthMm > 0.0 ? Metres(1e-3 * c.depthMm) : cut.depth;
-  request.feedPerTooth = c.feedMm > 0.0 ? Metres(1e-3 * c.feedMm) : cut.feedPerTooth;
+  request.feedPerTooth = cut.feedPerTooth;
   request.lowest = cut.lowest;
   request.highest = cut.highest;
   request.threads = c.threads;
@@ -72,7 +72,7 @@ nlohmann::json asJson(const ForcedVibration& forced) {
   return j;
 }
 
-nlohmann::json asJson(const SpeedAdvice& advice, const AdviceRequest& request, const CutFile& cut) {
+nlohmann::json asJson(const milling::SpeedAdvice& advice, const AdviceRequest& request, const CutFile& cut) {
   using nlohmann::json;
   json all = jsonObject("advise", "answer");
   all["case"] = cut.name;
@@ -87,6 +87,7 @@ nlohmann::json asJson(const SpeedAdvice& advice, const AdviceRequest& request, c
                 {"to_rpm", p.to.speed.value},
                 {"best_rpm", p.best.value},
                 {"limit_mm", 1e3 * p.limit.value},
+                {"limit_open", p.open},
                 {"margin", p.margin},
                 {"width", p.width},
                 {"chatter_below_hz", orNull(p.from.frequency.value, p.from.frequency.value > 0.0)},
@@ -98,6 +99,7 @@ nlohmann::json asJson(const SpeedAdvice& advice, const AdviceRequest& request, c
       pocket["quietest"] = asJson(p.quietest->forced);
       pocket["quietest"]["speed_rpm"] = p.quietest->speed.value;
       pocket["quietest"]["limit_mm"] = 1e3 * p.quietest->limit.value;
+      pocket["quietest"]["limit_open"] = p.quietest->open;
     }
     all["pockets"].push_back(std::move(pocket));
   }
@@ -110,19 +112,25 @@ nlohmann::json asJson(const SpeedAdvice& advice, const AdviceRequest& request, c
   return all;
 }
 
+// Where nothing limits the depth it is only known as deep as was searched.
+const char* howDeep(bool open) {
+  return open ? "at least" : "up to";
+}
+
 // Whole speeds that still lie inside.
-void print(const SpeedAdvice& advice, const AdviceRequest& request) {
+void print(const milling::SpeedAdvice& advice, const AdviceRequest& request) {
   const double depth = 1e3 * request.depth.value;
   for (const SpeedPocket& p : advice.pockets) {
-    std::printf("%.0f to %.0f rev/min is stable at %.4g mm; best %.0f: up to %.3g mm", std::ceil(p.from.speed.value),
-                std::floor(p.to.speed.value), depth, p.best.value, 1e3 * p.limit.value);
+    std::printf("%.0f to %.0f rev/min is stable at %.4g mm; best %.0f: %s %.3g mm", std::ceil(p.from.speed.value),
+                std::floor(p.to.speed.value), depth, p.best.value, howDeep(p.open), 1e3 * p.limit.value);
     if (p.removal > 0.0) std::printf(", %.3g cm3/min", 6e7 * p.removal);
     if (p.forced) {
       std::printf(", vibration %.3g m/s2, wall off by %.2g um", p.forced->acceleration, 1e6 * wallError(*p.forced));
     }
     if (p.quietest) {
-      std::printf("; quietest %.0f: up to %.3g mm, vibration %.3g m/s2, wall off by %.2g um", p.quietest->speed.value,
-                  1e3 * p.quietest->limit.value, p.quietest->forced.acceleration, 1e6 * wallError(p.quietest->forced));
+      std::printf("; quietest %.0f: %s %.3g mm, vibration %.3g m/s2, wall off by %.2g um", p.quietest->speed.value,
+                  howDeep(p.quietest->open), 1e3 * p.quietest->limit.value, p.quietest->forced.acceleration,
+                  1e6 * wallError(p.quietest->forced));
     }
     std::printf("\n");
   }
@@ -192,8 +200,6 @@ void addAdvise(CLI::App& app, int& exitCode) {
   sub->add_option("--depth", c->depthMm, "Axial depth of the cut [mm]; left out: the file's")
       ->check(CLI::PositiveNumber);
   sub->add_option("--speeds", c->speeds, "FROM:TO [rev/min]; left out: what the file's override reaches");
-  sub->add_option("--feed", c->feedMm, "Feed per tooth [mm], for the removal rate; left out: the file's")
-      ->check(CLI::PositiveNumber);
   sub->add_option("--cutting-speed", c->cuttingSpeed, "Largest of the tool [m/min]")->check(CLI::PositiveNumber);
   sub->add_option("--pitch-at", c->pitchAt, "Which pitch of the teeth would be best at this speed [rev/min], instead")
       ->check(CLI::PositiveNumber);

@@ -20,21 +20,44 @@ milling::MeasuredResponse measuredOf(const identify::Frf& frf) {
   return {std::move(compliance.frequency), std::move(compliance.value)};
 }
 
-Result<identify::ModalAnswer> readResponses(const std::vector<std::string>& files,
-                                            const std::vector<std::string>& axes) {
+Result<identify::ModalAnswer> readResponses(const CutOptions& o) {
   identify::ModalRequest request;
+  request.import = o.import;
   request.import.kind = identify::MeasurementKind::Frf;
-  for (const std::string& axis : axes)
-    request.import.axes.push_back(axis == "y" ? identify::Axis::Y : identify::Axis::X);
-  return identify::measureResponses(files, request);
+  for (const std::string& axis : o.responseAxes) request.import.axes.push_back(identify::axisFromLetter(axis[0]));
+  request.hammer.flipResponse = o.flip;
+  auto answer = identify::measureResponses(o.responses, request);
+  if (!answer) return answer;
+  if (const Status known = identify::findUnits(*answer, {}); !known) return known.error();
+  return answer;
+}
+
+// Nothing can be fitted to a cross response that would tell its unit.
+Result<milling::MeasuredResponse> readCross(const CutOptions& o) {
+  identify::ImportOptions import;
+  import.kind = identify::MeasurementKind::Frf;
+  import.cross = true;
+  import.unit = o.crossUnit;
+  import.frequencyUnit = o.import.frequencyUnit;
+  import.phaseUnit = o.import.phaseUnit;
+  const auto read = identify::importMeasurement(o.crossResponse, import);
+  if (!read) return read.error();
+  for (const Message& remark : read->remarks) std::fprintf(stderr, "%s\n", text(remark).c_str());
+  const identify::Frf& frf = std::get<std::vector<identify::Frf>>(read->data).front();
+  if (!frf.unitKnown) {
+    return Error{o.crossResponse, message("does not say the unit of its response"),
+                 message("give --frf-cross-unit m/N, mm/N, um/N, (m/s^2)/N or g/N")};
+  }
+  return measuredOf(frf);
 }
 
 // The responses themselves, and for the methods that need them modes with the residuals of their fit.
 Status takeResponses(const CutOptions& o, milling::ModelParts& parts, milling::MeasuredReceptance& measured) {
-  const auto answer = readResponses(o.responses, o.responseAxes);
+  const auto answer = readResponses(o);
   if (!answer) return answer.error();
   for (const Message& remark : answer->remarks) std::fprintf(stderr, "%s\n", text(remark).c_str());
   for (const identify::AxisModes& one : answer->axes) {
+    for (const Message& remark : one.remarks) std::fprintf(stderr, "%s\n", text(remark).c_str());
     const bool y = one.axis == identify::Axis::Y;
     (y ? measured.yy : measured.xx) = measuredOf(one.frf);
     const auto fit = identify::fitModes(one.frf, {});
@@ -52,9 +75,9 @@ Status takeResponses(const CutOptions& o, milling::ModelParts& parts, milling::M
     }
   }
   if (!o.crossResponse.empty()) {
-    const auto cross = readResponses({o.crossResponse}, {});
+    auto cross = readCross(o);
     if (!cross) return cross.error();
-    measured.xy = measuredOf(cross->axes.front().frf);
+    measured.xy = std::move(*cross);
   }
   return measured.check("--frf");
 }
@@ -87,7 +110,7 @@ Result<milling::ModelParts> readParts(const CutOptions& o) {
 }
 
 // "START:EXIT" in degrees.
-Status setAngles(milling::CutModel& model, const std::string& text) {
+Result<milling::Engagement> angles(const std::string& text) {
   const std::vector<std::string> parts = CLI::detail::split(text, ':');
   double start = 0.0, exit = 0.0;
   const bool read = parts.size() == 2 && CLI::detail::lexical_cast(parts[0], start) &&
@@ -96,8 +119,7 @@ Status setAngles(milling::CutModel& model, const std::string& text) {
     return Error{"--engagement", message("'%1' is no engagement", text),
                  message("START:EXIT in degrees, 0 to 180, as 53.13:126.87 for a centred cut")};
   }
-  model.engagement = milling::engagementBetween(start * kRadians, exit * kRadians);
-  return Done{};
+  return milling::engagementBetween(start * kRadians, exit * kRadians);
 }
 
 }  // namespace
@@ -116,11 +138,29 @@ void addCutOptions(CLI::App& command, CutOptions& o) {
           "Frequency responses of the tool's tip along x and y, instead of modes: zoa takes them as they are, the "
           "others a fit with its residuals")
       ->excludes("--modes");
-  command.add_option("--frf-axis", o.responseAxes, "Their axes, where the files do not say: x, y, one for each file")
+  command
+      .add_option("--frf-axis,--axis", o.responseAxes,
+                  "Their axes, where the files do not say: x, y, one for each file")
       ->delimiter(',')
       ->check(CLI::IsMember({"x", "y"}));
-  command.add_option("--frf-cross", o.crossResponse, "Response along one axis to a force along the other, for zoa")
+  command.add_option("--unit", o.import.unit, "Unit of the responses, where the files do not say: m/N, um/N, g/N ...")
       ->needs("--frf");
+  command.add_option("--frequency-unit", o.import.frequencyUnit, "Unit of their frequencies: Hz, kHz, rad/s")
+      ->needs("--frf");
+  command.add_option("--phase-unit", o.import.phaseUnit, "Unit of their phase: deg, rad")->needs("--frf");
+  command.add_option("--response", o.import.responses, "The response along the force, of several in a file")
+      ->needs("--frf")
+      ->delimiter(',');
+  command.add_flag("--flip", o.flip, "The responses point against the force")->needs("--frf");
+  CLI::Option* cross =
+      command.add_option("--frf-cross", o.crossResponse, "Response along one axis to a force along the other, for zoa")
+          ->needs("--frf");
+  command.add_option("--frf-cross-unit", o.crossUnit, "Its unit, where the file does not say")->needs(cross);
+  command
+      .add_option("--feed", o.feedMm,
+                  "Feed per tooth [mm], instead of the file's: for force laws that are not straight, removal and "
+                  "vibration")
+      ->check(CLI::PositiveNumber);
   command.add_option("--engagement", o.engagement, "START:EXIT of the cut [degrees], 0:180 is a slot");
   command
       .add_option_function<double>(
@@ -152,13 +192,17 @@ Result<CutFile> readCut(const CutOptions& o) {
     if (const Status ok = takeResponses(o, parts.value(), measured); !ok) return ok.error();
   }
   warnOfRigidAxis(parts->modes);
-  Result<CutFile> cut = loadCutFile(o.file, *parts);
+  CutChanges changes;
+  changes.feedPerTooth = Metres(1e-3 * o.feedMm);
+  if (!o.engagement.empty()) {
+    const auto engagement = angles(o.engagement);
+    if (!engagement) return engagement.error();
+    changes.engagement = *engagement;
+  }
+  if (o.offsetGiven) changes.offset = Metres(1e-3 * o.offsetMm);
+  Result<CutFile> cut = loadCutFile(o.file, *parts, changes);
   if (!cut) return cut;
   if (!o.responses.empty()) cut->measured = std::move(measured);
-  if (!o.engagement.empty()) {
-    if (const Status ok = setAngles(cut->model, o.engagement); !ok) return ok.error();
-  }
-  if (o.offsetGiven) cut->model.engagement.offset = 2e-3 * o.offsetMm / cut->model.tool.diameter.value;
   if (const Status ok = milling::check(cut->model, o.file); !ok) return ok.error();
   for (const Message& remark : cut->remarks) std::fprintf(stderr, "warning: %s\n", text(remark).c_str());
   return cut;

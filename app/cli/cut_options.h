@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/compose/cut/cut_file.h"
+#include "core/milling/identify/import/import_options.h"
 
 namespace stillcut::app {
 
@@ -14,7 +15,10 @@ struct CutOptions {
   std::string file, material, engagement;
   std::vector<std::string> modes;
   std::vector<std::string> responses, responseAxes;  // files of frequency responses, and their axes
-  std::string crossResponse;
+  std::string crossResponse, crossUnit;
+  identify::ImportOptions import;  // of both: units and columns that the files do not say
+  bool flip = false;               // the responses point against the force
+  double feedMm = 0.0;             // per tooth; 0: the file's
   double offsetMm = 0.0;
   bool offsetGiven = false;
 };

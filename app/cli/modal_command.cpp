@@ -48,8 +48,9 @@ int run(const ModalCommand& command) {
   for (const std::string& file : command.files) {
     if (const Status usable = checkOutPath(command.out, file); !usable) return fail(usable.error());
   }
-  const auto request = command.tap.understand();
+  auto request = command.tap.understand();
   if (!request) return fail(request.error());
+  request->takesZ = command.out.empty();  // to be looked at only
   auto answer = identifyModes(command.files, *request);
   if (!answer) return fail(answer.error());
   for (const Message& remark : answer->remarks) std::printf("%s\n", text(remark).c_str());
@@ -64,7 +65,10 @@ int run(const ModalCommand& command) {
     if (!saved) return fail(saved.error());
   }
   for (const AxisModes& axis : answer->axes) {
-    if (axis.fromHammer) printHits(axis, request->hammer);
+    if (axis.fromHammer) {
+      printHits(axis, request->hammer);
+      std::printf("the hit reaches up to %.0f Hz\n", axis.frf.usableTo);
+    }
     printModes(axis);
   }
   return kExitDone;

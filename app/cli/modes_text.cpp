@@ -30,6 +30,7 @@ void printModes(const AxisModes& axis) {
 Status saveAxes(const std::vector<AxisModes>& axes, const std::string& source, const std::string& out) {
   ModesFile all;
   for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].axis == Axis::Z) return measuredAlongZ(axes[i].frf.source);
     const std::array<double, 2> direction =
         axes[i].axis == Axis::Y ? std::array<double, 2>{0.0, 1.0} : std::array<double, 2>{1.0, 0.0};
     const ModesFile file = modesFile(axes[i].fit, source, direction);

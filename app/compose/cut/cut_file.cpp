@@ -82,9 +82,12 @@ Result<CutFile> load(const std::string& path, const milling::ModelParts& parts) 
 
 }  // namespace
 
-Result<CutFile> loadCutFile(const std::string& path, const milling::ModelParts& parts) {
+Result<CutFile> loadCutFile(const std::string& path, const milling::ModelParts& parts, const CutChanges& changes) {
   Result<CutFile> cut = load(path, parts);
   if (!cut) return cut;
+  if (changes.feedPerTooth.value > 0.0) cut->feedPerTooth = changes.feedPerTooth;
+  if (changes.engagement) cut->model.engagement = *changes.engagement;
+  if (changes.offset) cut->model.engagement.offset = 2.0 * (*changes.offset / cut->model.tool.diameter);
   const Metres chip = milling::lineariseForLobes(cut->model, cut->feedPerTooth);
   if (!(chip.value > 0.0)) return cut;
   cut->remarks.push_back(message("the force is not proportional to the chip: taken as it is at a chip of %1 um",

@@ -24,8 +24,16 @@ struct CutFile {
   std::optional<milling::MeasuredReceptance> measured{};  // frequency responses given beside it
 };
 
+// What is said beside the file, and counts before the force law is linearised.
+struct CutChanges {
+  Metres feedPerTooth{};                            // 0: the file's
+  std::optional<milling::Engagement> engagement{};  // instead of the file's
+  std::optional<Metres> offset{};                   // of the cut's middle from the tool's axis
+};
+
 // `parts` stand in for the file's own modes and material. The engagement of a scenario is its widest, its depth the
 // deepest, as its programme says; a force exponent is linearised at the mean chip where the feed is known.
-Result<CutFile> loadCutFile(const std::string& path, const milling::ModelParts& parts = {});
+Result<CutFile> loadCutFile(const std::string& path, const milling::ModelParts& parts = {},
+                            const CutChanges& changes = {});
 
 }  // namespace stillcut::app

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstdio>
 #include <filesystem>
@@ -182,6 +183,36 @@ TEST_F(IdentifiedLobes, AdviceIsTheSameForCaseScenarioAndProfile) {
     const std::string table = run({"lobes", file, "--speeds", "9000:11000:500", "--max-depth", "10"});
     EXPECT_EQ(table, run({"lobes", "case.toml", "--speeds", "9000:11000:500", "--max-depth", "10"}));
   }
+}
+
+TEST_F(IdentifiedLobes, AForceLawThatIsNotStraightIsTakenAtTheFeedAndEngagementGiven) {
+  folder_.file("power.toml", std::string(kTrueMode) + kToolAndCut +
+                                 "[material]\ntangential_n_per_m2 = 6e7\nradial_n_per_m2 = 2e7\nexponent = 0.75\n");
+  const auto limit = [&](const std::string& feed, const std::string& engagement) {
+    const auto found = limits(run({"lobes", "power.toml", "--speeds", "8500:8500:1", "--max-depth", "30", "--feed",
+                                   feed, "--engagement", engagement}));
+    return found.empty() ? 0.0 : found[0];
+  };
+  const double slow = limit("0.05", "0:90"), fast = limit("0.2", "0:90");
+  ASSERT_GT(slow, 0.0);
+  // The slope of K h^0.75 goes with h^-0.25: four times the feed is 1.41 times the depth.
+  EXPECT_NEAR(fast / slow, std::pow(4.0, 0.25), 1e-6);
+  const json advice =
+      json::parse(run({"advise", "power.toml", "--depth", "0.3", "--speeds", "8000:9000", "--feed", "0.2", "--json"}));
+  const json slower =
+      json::parse(run({"advise", "power.toml", "--depth", "0.3", "--speeds", "8000:9000", "--feed", "0.05", "--json"}));
+  EXPECT_NE(advice.at("pockets").dump(), slower.at("pockets").dump());
+  const Outcome said =
+      runCli(folder_ / "", {"lobes", "power.toml", "--speeds", "8500:8500:1", "--feed", "0.1", "--engagement", "0:90"});
+  EXPECT_THAT(said.err, HasSubstr("at a chip of 63.7 um")) << "0.1 mm times 2 / pi";
+}
+
+TEST_F(IdentifiedLobes, WhereOnlySoMuchWasSearchedItIsSaidToBeAtLeastThat) {
+  folder_.file("stiff.toml",
+               "[[mode]]\nfrequency_hz = 950.0\ndamping = 0.05\nstiffness_n_per_m = 5e8\ndirection = [1.0, 0.0]\n" +
+                   std::string(kToolAndCut) + kAluminium);
+  const std::vector<std::string> asked{"advise", "stiff.toml", "--depth", "1", "--speeds", "8000:9000"};
+  EXPECT_THAT(run(asked), HasSubstr(": at least 4 mm"));
 }
 
 TEST_F(IdentifiedLobes, AdviceThatIsNotPossibleIsOneLine) {

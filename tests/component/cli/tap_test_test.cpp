@@ -15,6 +15,11 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+constexpr const char* kCut =
+    "[[mode]]\nfrequency_hz = 800.0\ndamping = 0.03\nstiffness_n_per_m = 2e7\ndirection = [1.0, 0.0]\n"
+    "[tool]\nteeth = 2\ndiameter_mm = 10.0\n[engagement]\nradial_immersion = 0.5\nside = \"up\"\n"
+    "[chart]\nmax_depth_mm = 10.0\n[material]\ntangential_n_per_m2 = 6e8\nradial_n_per_m2 = 2e8\n";
+
 class TapTest : public InFolder {
  protected:
   // A mode of 800 Hz, 0.03 and `stiffness` in m/N, by its columns.
@@ -58,6 +63,64 @@ TEST_F(TapTest, AFreeEndOfTheBandNamesWhatItLeavesOut) {
   EXPECT_THAT(run({"modal", "x.csv", "--band", "500:"}), HasSubstr("band 500 to"));
   EXPECT_THAT(run({"modal", "x.csv", "--band", ":1000"}), HasSubstr("to 1000 Hz"));
   EXPECT_EQ(outcome({"modal", "x.csv", "--band", "1000"}).exitCode, 2);
+}
+
+TEST_F(TapTest, AResponseAlongZIsNeitherWrittenNorUsed) {
+  writeFrf("z.csv", "Frequency [Hz],Re Gzz [m/N],Im Gzz [m/N]\n", 1e7);
+  EXPECT_THAT(run({"modal", "z.csv"}), HasSubstr("axis z")) << "to be looked at";
+  folder_.file("cut.toml", kCut);
+  for (const std::vector<std::string>& use :
+       {std::vector<std::string>{"modal", "z.csv", "--out", "modes.toml"},
+        std::vector<std::string>{"lobes", "cut.toml", "--frf", "z.csv", "--speeds", "8000:8000:1"},
+        std::vector<std::string>{"couple", "z.csv", "--diameter", "10", "--stickout", "60"}}) {
+    const Outcome refused = outcome(use);
+    EXPECT_EQ(refused.exitCode, 2) << use[0];
+    EXPECT_THAT(refused.err, HasSubstr("its response is along z, and lobes are computed from x and y")) << use[0];
+  }
+  EXPECT_THAT(run({"modal", "z.csv", "--response", "gzz", "--axis", "y", "--out", "modes.toml"}), HasSubstr("axis y"));
+}
+
+TEST_F(TapTest, LobesOfResponsesWithoutAUnitAskOrSayWhatTheyTook) {
+  folder_.file("cut.toml", kCut);
+  const std::vector<std::string> speeds{"--method", "zoa", "--speeds", "9000:9000:1"};
+  const auto lobes = [&](std::vector<std::string> a) {
+    a.insert(a.begin(), {"lobes", "cut.toml"});
+    a.insert(a.end(), speeds.begin(), speeds.end());
+    return outcome(a);
+  };
+  writeFrf("si.csv", "Frequency [Hz],Re [m/N],Im [m/N]\n", 2e7);
+  writeFrf("bare.csv", "", 2e7);
+  writeFrf("um.csv", "Frequency [Hz],Re,Im\n", 20.0);
+  writeFrf("either.csv", "Frequency [Hz],Re,Im\n", 1e6);
+  const Outcome truth = lobes({"--frf", "si.csv"});
+  ASSERT_EQ(truth.exitCode, 0) << truth.err;
+  EXPECT_EQ(lobes({"--frf", "bare.csv"}).out, truth.out);
+  const Outcome micro = lobes({"--frf", "um.csv"});
+  EXPECT_EQ(micro.out, truth.out);
+  EXPECT_THAT(micro.err, HasSubstr("read as um/N"));
+  EXPECT_THAT(lobes({"--frf", "either.csv"}).err, HasSubstr("give --unit m/N"));
+  EXPECT_EQ(lobes({"--frf", "either.csv", "--unit", "m/N"}).exitCode, 0);
+  EXPECT_THAT(lobes({"--frf", "si.csv", "--frf-cross", "bare.csv"}).err, HasSubstr("give --frf-cross-unit m/N"));
+  EXPECT_EQ(lobes({"--frf", "si.csv", "--frf-cross", "bare.csv", "--frf-cross-unit", "m/N"}).exitCode, 0);
+}
+
+TEST_F(TapTest, TheCrossResponseOfLobesIsACrossOne) {
+  folder_.file("cut.toml", kCut);
+  writeFrf("si.csv", "Frequency [Hz],Re [m/N],Im [m/N]\n", 2e7);
+  writeFrf("xy.csv", "Frequency [Hz],Re Gxy [m/N],Im Gxy [m/N]\n", 9e7);
+  writeFrf("xx.csv", "Frequency [Hz],Re Gxx [m/N],Im Gxx [m/N]\n", 9e7);
+  writeFrf("turned.csv", "Frequency [Hz],Re [m/N],Im [m/N]\n", -2e7);
+  const auto lobes = [&](std::vector<std::string> a) {
+    a.insert(a.begin(), {"lobes", "cut.toml", "--method", "zoa", "--speeds", "9000:9000:1"});
+    return outcome(a);
+  };
+  const Outcome crossed = lobes({"--frf", "si.csv", "--frf-cross", "xy.csv"});
+  EXPECT_EQ(crossed.exitCode, 0) << crossed.err;
+  EXPECT_NE(crossed.out, lobes({"--frf", "si.csv"}).out);
+  EXPECT_THAT(lobes({"--frf", "si.csv", "--frf-cross", "xx.csv"}).err,
+              HasSubstr("holds no response along one axis to a force along the other"));
+  EXPECT_THAT(lobes({"--frf", "turned.csv"}).err, HasSubstr("turn the response with --flip"));
+  EXPECT_EQ(lobes({"--frf", "turned.csv", "--flip"}).out, lobes({"--frf", "si.csv"}).out);
 }
 
 TEST_F(TapTest, AHolderMeasuredOnceGivesTheTipOfATool) {
