@@ -19,7 +19,7 @@ class ColumnReader final : public RecordingReader {
 
   const RecordingFormat& format() const override { return format_; }
 
-  // Frames that hold no number on any channel are missing: that is how a gap is written where there are no times.
+  // Frames that hold no number are missing: that is how a gap is written where there are no times.
   Result<bool> read(SampleBlock& block) override {
     std::uint64_t lost = 0;
     while (true) {
@@ -28,13 +28,13 @@ class ColumnReader final : public RecordingReader {
         if (left <= 0) return ended();
         if (const Status s = fetch(std::min<std::int64_t>(left, block.capacityFrames)); !s) return s.error();
       }
-      if (!missing(taken_)) break;
+      if (!isGap(taken_)) break;
       ++taken_;
       ++framesRead_;
       ++lost;
     }
     std::size_t end = taken_ + 1;
-    while (end < held_ && end - taken_ < static_cast<std::size_t>(block.capacityFrames) && !missing(end)) ++end;
+    while (end < held_ && end - taken_ < static_cast<std::size_t>(block.capacityFrames) && isWhole(end)) ++end;
     block.frames = static_cast<int>(end - taken_);
     for (std::size_t c = 0; c < columns_.size(); ++c) {
       if (const Status s = take(block, static_cast<int>(c)); !s) return s.error();
@@ -70,6 +70,20 @@ class ColumnReader final : public RecordingReader {
     return std::all_of(values_.begin(), values_.end(),
                        [frame](const std::vector<double>& v) { return std::isnan(v[frame]); });
   }
+  // A frame that lacks one channel's number is missing as a whole, as long as they are few.
+  bool isGap(std::size_t frame) {
+    if (missing(frame)) return true;
+    const bool some = std::any_of(values_.begin(), values_.end(),
+                                  [frame](const std::vector<double>& v) { return std::isnan(v[frame]); });
+    constexpr std::int64_t kOneIn = 10;
+    if (!some || (torn_ + 1) * kOneIn > format_.frames) return false;
+    ++torn_;
+    return true;
+  }
+  bool isWhole(std::size_t frame) const {
+    return std::none_of(values_.begin(), values_.end(),
+                        [frame](const std::vector<double>& v) { return std::isnan(v[frame]); });
+  }
   Status take(SampleBlock& block, int channel) const {
     constexpr double kLargest = std::numeric_limits<float>::max();
     const std::vector<double>& values = values_[static_cast<std::size_t>(channel)];
@@ -94,6 +108,7 @@ class ColumnReader final : public RecordingReader {
   std::vector<std::vector<double>> values_;  // [channel], of the frames held
   std::size_t held_ = 0;                     // frames
   std::size_t taken_ = 0;                    // of them
+  std::int64_t torn_ = 0;                    // frames that some channels have, and some have not
   std::int64_t framesRead_ = 0;              // missing ones included
   bool any_ = false;
   std::uint64_t sequence_ = 0;
@@ -112,7 +127,7 @@ void leaveSpeedOut(std::vector<ColumnChannel>& all, RecordingFormat& format, con
     if (isSpeed(c) == asked) {
       kept.push_back(std::move(c));
     } else {
-      format.skipped.push_back(c.channel.info.name);
+      leaveOut(format, c.channel.info.name, message("it is a speed of the spindle"));
     }
   }
   all = std::move(kept);

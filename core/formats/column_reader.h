@@ -19,6 +19,9 @@ class Column {
   virtual ~Column() = default;
   // Fills all of `out` with the next numbers. Error: one line; the file ends early or is damaged.
   virtual Status read(std::span<double> out) = 0;
+  // From here on whole numbers are given from the first of the column on: nanoseconds since 1970 have more digits than
+  // a double. To be called before the first read; columns that hold no such numbers need not heed it.
+  virtual void countFromFirst() {}
 };
 
 // A channel that could be read, opened only when it is wanted.

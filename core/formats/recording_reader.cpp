@@ -1,10 +1,17 @@
 #include "core/formats/recording_reader.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
+
+void leaveOut(RecordingFormat& format, std::string name, Message why) {
+  format.skippedWhy.resize(format.skipped.size());
+  format.skipped.push_back(std::move(name));
+  format.skippedWhy.push_back(std::move(why));
+}
 
 Result<std::vector<RecordedChannel>> keepChannels(const std::vector<RecordedChannel>& all,
                                                   const std::vector<int>& wanted, const std::string& where) {

@@ -38,6 +38,7 @@ struct RecordingFormat {
   int blockFrames = 0;      // largest recorded block, 0: not recorded in blocks
   std::vector<RecordedChannel> channels;
   std::vector<std::string> skipped;  // columns that are no channel: "CI Value"
+  std::vector<Message> skippedWhy;   // of each of them; fewer: not told of the last
   std::vector<Message> notes;        // what was damaged or missing in the file, and was read all the same
   std::optional<CutSetup> setup;     // sessions only
   std::string configuration;         // sessions only: the whole text in force
@@ -65,6 +66,9 @@ class RecordingReader {
   // it); null where the recording has none. Valid until the next read().
   virtual const StepRecord* recordedStep() const { return nullptr; }
 };
+
+// A column that is no channel, and why.
+void leaveOut(RecordingFormat& format, std::string name, Message why);
 
 // Keeps the wanted channels, in the wanted order; an error names the one that does not exist.
 Result<std::vector<RecordedChannel>> keepChannels(const std::vector<RecordedChannel>& all,

@@ -86,6 +86,10 @@ bool takeDate(std::string_view& text, TimeStamp& stamp) {
     if (!dayFirst && !monthFirst) return false;
     if (sign == '.') stamp.day = dayFirst;
     if (sign != '.' && (!dayFirst || !monthFirst || a.value == b.value)) stamp.day = dayFirst ? dayFirst : monthFirst;
+  } else if (sign == '.' && a.count == 2 && b.count == 2 && c.count == 2) {
+    constexpr int kCentury = 2000;
+    stamp.day = dayNumber(kCentury + c.value, b.value, a.value);  // as German programs write it
+    if (!stamp.day) return false;
   } else {
     return false;
   }
@@ -111,7 +115,10 @@ bool takeFraction(std::string_view& text, std::int64_t& ns) {
 }
 
 bool takeZone(std::string_view& text, TimeStamp& stamp) {
-  if (takeOne(text, "Zz")) {
+  while (takeOne(text, " ")) {
+  }
+  if (text == "UTC" || text == "GMT") text.remove_prefix(3);
+  if (text.empty() || takeOne(text, "Zz")) {
     stamp.zone_ns = 0;
     return true;
   }
@@ -128,6 +135,29 @@ bool takeZone(std::string_view& text, TimeStamp& stamp) {
   }
   if (sign == '-') stamp.zone_ns = -*stamp.zone_ns;
   return true;
+}
+
+// "20261125T235958.0001", the basic form of ISO 8601.
+bool takeBasic(std::string_view& text, TimeStamp& stamp) {
+  constexpr std::string_view kForm = "00000000T000000";
+  if (text.size() < kForm.size()) return false;
+  for (std::size_t i = 0; i < kForm.size(); ++i) {
+    if (kForm[i] == '0' ? !isDigit(text[i]) : text[i] != 'T') return false;
+  }
+  const auto number = [&text](std::size_t at, std::size_t count) {
+    int value = 0;
+    std::from_chars(text.data() + at, text.data() + at + count, value);
+    return value;
+  };
+  const int hours = number(9, 2), minutes = number(11, 2), seconds = number(13, 2);
+  stamp.day = dayNumber(number(0, 4), number(4, 2), number(6, 2));
+  if (!stamp.day || hours > 24 || minutes > 59 || seconds > 60) return false;
+  text.remove_prefix(kForm.size());
+  std::int64_t fraction_ns = 0;
+  if (!takeFraction(text, fraction_ns)) return false;
+  stamp.clock_ns = hours * kHour_ns + minutes * kMinute_ns + seconds * kSecond_ns + fraction_ns;
+  stamp.hasDate = stamp.hasClock = true;
+  return text.empty() || takeZone(text, stamp);
 }
 
 // "am" and "pm" behind a clock of twelve hours.
@@ -185,6 +215,9 @@ std::optional<int> monthOfName(std::string_view name) {
 std::optional<TimeStamp> parseTimeStamp(std::string_view cell) {
   TimeStamp stamp;
   if (cell.size() < 5 || !isDigit(cell.front())) return std::nullopt;
+  if (std::string_view basic = cell; takeBasic(basic, stamp))
+    return basic.empty() ? std::optional(stamp) : std::nullopt;
+  stamp = {};
   if (takeNamedDate(cell, stamp) || takeDate(cell, stamp)) {
     if (cell.empty()) return stamp;
     if (!takeOne(cell, "T t_")) return std::nullopt;

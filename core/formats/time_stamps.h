@@ -1,5 +1,6 @@
 // Times of day and dates as loggers print them in a cell: "2026-11-25T08:59:59.0001Z", "25.11.2026 08:59:59,0001",
-// "08:59:59.0001", "8:59:59.1 PM", "2026/11/25", "25-Nov-2026". Pure: any thread; set-up, not real-time.
+// "08:59:59.0001", "8:59:59.1 PM", "2026/11/25", "25-Nov-2026",
+// "20261125T085959.0001", "25.11.26 08:59:59,0001". Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <cstdint>

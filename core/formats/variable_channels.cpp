@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "core/formats/sensor_notes.h"
+#include "core/formats/text/text_cells.h"
 #include "core/formats/utf_text.h"
+#include "core/units/time_names.h"
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
@@ -16,6 +18,10 @@ namespace {
 
 Message giveRate() {
   return message("give it with --rate HZ");
+}
+
+Message secondsAssumed(const std::string& name) {
+  return message("its times '%1' have no unit: seconds are assumed", name);
 }
 
 // "Sample_Rate" and "sampleRate" are "samplerate".
@@ -29,18 +35,48 @@ std::string plainWord(std::string_view name) {
   return word;
 }
 
-std::optional<double> rateFromNumbers(const FileContents& contents) {
+struct RateKey {
+  bool step = false;
+  double toSi = 1.0;  // Hz, or seconds
+};
+
+// "fs", "SampleRate", "sr_khz", "dt_us": what a number of this name is.
+std::optional<RateKey> rateKey(std::string_view name) {
   constexpr auto kRates =
-      std::to_array<std::string_view>({"ratehz", "rate", "fs", "fshz", "samplerate", "samplingrate", "samplefrequency",
-                                       "samplingfrequency", "samplefreq", "samplingratehz", "sampleratehz"});
-  constexpr auto kSteps = std::to_array<std::string_view>(
-      {"dt", "ts", "deltat", "deltax", "xincrement", "sampletime", "sampleinterval", "samplinginterval", "tstep"});
-  for (const auto& [name, value] : contents.numbers) {
-    const std::string word = plainWord(name);
-    if (std::find(kRates.begin(), kRates.end(), word) != kRates.end()) return value;
-    if (std::find(kSteps.begin(), kSteps.end(), word) != kSteps.end() && value != 0.0) {
-      return wholeRate(1.0 / value, 1e-9);
-    }
+      std::to_array<std::string_view>({"rate", "fs", "sr", "samplerate", "samplingrate", "samplefrequency",
+                                       "samplingfrequency", "samplefreq", "samplingfreq", "sfreq"});
+  constexpr auto kSteps =
+      std::to_array<std::string_view>({"dt", "ts", "deltat", "deltax", "xincrement", "sampletime", "sampleinterval",
+                                       "samplinginterval", "tstep", "wfincrement"});
+  const std::string word = plainWord(name);
+  const auto find = [&word](const auto& keys, std::string_view unit) {
+    return word.ends_with(unit) &&
+           std::find(keys.begin(), keys.end(), word.substr(0, word.size() - unit.size())) != keys.end();
+  };
+  for (const auto& [unit, toSi] : {std::pair{"", 1.0}, {"hz", 1.0}, {"khz", 1e3}, {"mhz", 1e6}, {"sps", 1.0}}) {
+    if (find(kRates, unit)) return RateKey{false, toSi};
+  }
+  for (const auto& [unit, toSi] : {std::pair{"", 1.0}, {"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}) {
+    if (find(kSteps, unit)) return RateKey{true, toSi};
+  }
+  return std::nullopt;
+}
+
+// "10000 Hz", "51.2 kHz", "0.1 ms", "10000".
+std::optional<double> rateOfText(const RateKey& key, std::string_view text) {
+  text = trimmed(text);
+  const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
+  const std::optional<double> number = parseNumber(text.substr(0, end), false);
+  const std::string unit(trimmed(text.substr(end)));
+  if (!number || !(*number > 0.0)) return std::nullopt;
+  if (unit.empty()) return key.step ? 1.0 / (*number * key.toSi) : *number * key.toSi;
+  if (key.step) {
+    const std::optional<UnitMeaning> meaning = unitFromText(unit);
+    if (!meaning || meaning->kind != UnitKind::Time) return std::nullopt;
+    return 1.0 / (*number * meaning->toSi);
+  }
+  for (const auto& [name, toSi] : {std::pair{"Hz", 1.0}, {"kHz", 1e3}, {"MHz", 1e6}, {"S/s", 1.0}, {"kS/s", 1e3}}) {
+    if (unit == name) return *number * toSi;
   }
   return std::nullopt;
 }
@@ -64,10 +100,32 @@ bool isTime(const FileArray& a) {
   return a.columns == 1 && ((unit && unit->kind == UnitKind::Time) || meaningOfName(a.name) == NameMeaning::Time);
 }
 
-// Reads the whole column: one bad step and the times are no times.
-Result<double> rateFromTimes(const FileArray& times, const std::string& path) {
+struct TimesRate {
+  double hertz = 0.0;
+  bool assumed = false;  // nothing says that its numbers are seconds
+};
+
+// Seconds per unit; nothing: neither a unit, nor one in its name, nor a time since 1970.
+Result<std::optional<double>> unitOfTimes(const FileArray& times) {
+  NameAndUnit both = splitNameAndUnit(times.name);
+  if (!times.unit.empty()) both.unit = times.unit;
+  if (both.unit.empty()) both.unit = timeUnitInName(times.name);
+  const std::optional<UnitMeaning> unit = unitFromText(both.unit);
+  if (unit && unit->kind == UnitKind::Time) return std::optional(unit->toSi);
   Result<std::unique_ptr<Column>> column = times.open(0);
   if (!column) return column.error();
+  std::array<double, 1> first{};
+  if (const Status s = (*column)->read(first); !s) return s.error();
+  return epochUnit(first[0]);
+}
+
+// Reads the whole column: one bad step and the times are no times.
+Result<TimesRate> rateFromTimes(const FileArray& times, const std::string& path) {
+  const Result<std::optional<double>> unit = unitOfTimes(times);
+  if (!unit) return unit.error();
+  Result<std::unique_ptr<Column>> column = times.open(0);
+  if (!column) return column.error();
+  (*column)->countFromFirst();
   const std::string where = path + ": '" + times.name + "'";
   std::vector<double> values;
   double first = 0.0;
@@ -89,9 +147,7 @@ Result<double> rateFromTimes(const FileArray& times, const std::string& path) {
       before = values[i];
     }
   }
-  const std::optional<UnitMeaning> unit = unitFromText(times.unit);
-  const double toSeconds = unit && unit->kind == UnitKind::Time ? unit->toSi : 1.0;
-  const double seconds = (before - first) * toSeconds;
+  const double seconds = (before - first) * unit->value_or(1.0);
   const double step = (before - first) / static_cast<double>(times.frames - 1);
   if (!(step > 0.0) || shortest < 0.5 * step || longest > 1.5 * step) {
     return Error{where, message("the time steps are uneven"),
@@ -99,7 +155,7 @@ Result<double> rateFromTimes(const FileArray& times, const std::string& path) {
   }
   constexpr double kFrames = 0.05;  // what a clock could tell
   const double rate = static_cast<double>(times.frames - 1) / seconds;
-  return wholeRate(rate, kFrames / (rate * seconds));
+  return TimesRate{wholeRate(rate, kFrames / (rate * seconds)), !*unit};
 }
 
 // The first column of several as an array of its own.
@@ -113,7 +169,8 @@ FileArray firstColumn(const FileArray& array) {
 
 // Rate of a first column that grows in even steps below a second, which fits the rate that the file states, if it does;
 // nothing: it is a channel like the others.
-std::optional<double> rateOfFirstColumn(const FileArray& array, std::optional<double> stated, const std::string& path) {
+std::optional<TimesRate> rateOfFirstColumn(const FileArray& array, std::optional<double> stated,
+                                           const std::string& path) {
   constexpr double kApart = 0.01;
   constexpr std::int64_t kFewest = 8;
   if (array.columns < 2 || array.frames < kFewest) return std::nullopt;
@@ -122,9 +179,9 @@ std::optional<double> rateOfFirstColumn(const FileArray& array, std::optional<do
   first.frames = std::min(array.frames, kGlance);
   if (!rateFromTimes(first, path)) return std::nullopt;
   first.frames = array.frames;
-  const Result<double> rate = rateFromTimes(first, path);
-  if (!rate || !(*rate > 1.0)) return std::nullopt;
-  if (stated && std::abs(*rate - *stated) > kApart * *stated) return std::nullopt;
+  const Result<TimesRate> rate = rateFromTimes(first, path);
+  if (!rate || !(rate->hertz > 1.0)) return std::nullopt;
+  if (stated && std::abs(rate->hertz - *stated) > kApart * *stated) return std::nullopt;
   return *rate;
 }
 
@@ -147,7 +204,36 @@ bool isNoSignal(const FileArray& array) {
   return meaningOfName(array.name) == NameMeaning::NoSignal || (unit && unit->kind == UnitKind::Other);
 }
 
+// The time of a file whose rate nothing else tells.
+Status takeTimes(const FileArray& array, const std::string& path, std::optional<double>& rate,
+                 RecordingFormat& format) {
+  const Result<TimesRate> found = rateFromTimes(array, path);
+  if (!found) return found.error();
+  rate = found->hertz;
+  if (found->assumed) format.notes.push_back(secondsAssumed(array.name));
+  return Done{};
+}
+
 }  // namespace
+
+bool namesRate(std::string_view name) {
+  return rateKey(name).has_value();
+}
+
+std::optional<double> statedRate(const std::vector<std::pair<std::string, double>>& numbers,
+                                 const std::vector<std::pair<std::string, std::string>>& texts) {
+  for (const auto& [name, value] : numbers) {
+    const std::optional<RateKey> key = rateKey(name);
+    if (!key || value == 0.0) continue;
+    return key->step ? wholeRate(1.0 / (value * key->toSi), 1e-9) : value * key->toSi;
+  }
+  for (const auto& [name, text] : texts) {
+    const std::optional<RateKey> key = rateKey(name);
+    const std::optional<double> rate = key ? rateOfText(*key, text) : std::nullopt;
+    if (rate) return wholeRate(*rate, 1e-9);
+  }
+  return std::nullopt;
+}
 
 Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const ReadOptions& options) {
   if (options.rate && !(options.rate->value > 0.0 && std::isfinite(options.rate->value))) {
@@ -156,28 +242,36 @@ Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const
   RecordingFormat format;
   format.kind = contents.kind;
   format.frames = usualLength(contents.arrays);
-  format.skipped = std::move(contents.skipped);
+  for (std::string& name : contents.skipped) {
+    leaveOut(format, std::move(name), message("it holds no row of numbers that is read"));
+  }
   format.notes = std::move(contents.notes);
   format.started_ns = contents.started_ns;
-  const std::optional<double> stated = rateFromNumbers(contents);
+  const std::optional<double> stated = statedRate(contents.numbers, contents.texts);
   std::optional<double> rate = stated;
   if (options.rate) rate = options.rate->value;
   std::vector<ColumnChannel> all;
   for (const FileArray& array : contents.arrays) {
     const bool time = array.frames == format.frames && isTime(array);
     if (time && !rate) {
-      const Result<double> found = rateFromTimes(array, contents.path);
-      if (!found) return found.error();
-      rate = *found;
+      if (const Status s = takeTimes(array, contents.path, rate, format); !s) return s.error();
     }
     if (time) continue;
-    if (array.frames != format.frames || isNoSignal(array)) {
-      format.skipped.push_back(array.name);
+    if (array.frames != format.frames) {
+      leaveOut(format, array.name,
+               message("it has %1 numbers where the recording has %2", array.frames, format.frames));
       continue;
     }
-    const std::optional<double> times = rateOfFirstColumn(array, stated, contents.path);
-    if (!rate) rate = times;
-    if (times) format.skipped.push_back(array.name + " 0");
+    if (isNoSignal(array)) {
+      leaveOut(format, array.name, message("its name or its unit says that it is no vibration"));
+      continue;
+    }
+    const std::optional<TimesRate> times = rateOfFirstColumn(array, stated, contents.path);
+    if (times && !rate) {
+      rate = times->hertz;
+      if (times->assumed) format.notes.push_back(secondsAssumed(array.name + " 0"));
+    }
+    if (times) leaveOut(format, array.name + " 0", message("it holds times"));
     for (int c = times ? 1 : 0; c < array.columns; ++c) {
       all.push_back({channelOf(array, c), [open = array.open, c] { return open(c); }});
     }

@@ -30,15 +30,23 @@ struct FileContents {
   std::string path;
   std::string kind;
   std::vector<FileArray> arrays;
-  std::vector<std::pair<std::string, double>> numbers;  // single numbers by name: "fs", "dt"
-  std::vector<std::string> skipped;                     // neither
-  std::vector<Message> notes;                           // for RecordingFormat::notes
-  std::int64_t started_ns = 0;                          // for RecordingFormat::started_ns
+  std::vector<std::pair<std::string, double>> numbers;     // single numbers by name: "fs", "dt"
+  std::vector<std::pair<std::string, std::string>> texts;  // "SampleRate": "10000 Hz"
+  std::vector<std::string> skipped;                        // neither
+  std::vector<Message> notes;                              // for RecordingFormat::notes
+  std::int64_t started_ns = 0;                             // for RecordingFormat::started_ns
 };
 
+// Whether a number or a text of this name is a sampling rate or the time between samples.
+bool namesRate(std::string_view name);
+// The first rate that they tell [Hz].
+std::optional<double> statedRate(const std::vector<std::pair<std::string, double>>& numbers,
+                                 const std::vector<std::pair<std::string, std::string>>& texts);
+
 // The length at which most numbers lie is that of the recording; others are skipped. The rate comes from the
-// options, from a number (rate_hz, fs, sample_rate ... in Hz; dt, ts ... in s), from an array named time or t, or from
-// the first column of an array of several where it grows evenly in steps below a second, as only time does.
+// options, from a number (rate_hz, fs, sample_rate ... in Hz; dt, ts ... in s), from an array named time or t, whose
+// unit may be in its name, or from the first column of an array of several where it grows evenly in steps below a
+// second, as only time does.
 Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const ReadOptions& options);
 
 // Text of a file made fit for one line: UTF-8 whatever it was, control characters become '?', at most 80 bytes.

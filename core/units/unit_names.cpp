@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/base/conversions.h"
+#include "core/units/time_names.h"
 
 namespace stillcut::record {
 namespace {
@@ -70,6 +71,13 @@ constexpr auto kUnits = std::to_array<UnitRow>({
     {"ms", K::Time, Q::Acceleration, 1e-3},
     {"msec", K::Time, Q::Acceleration, 1e-3},
     {"msecs", K::Time, Q::Acceleration, 1e-3},
+    {"sekunde", K::Time, Q::Acceleration, 1.0},
+    {"sekunden", K::Time, Q::Acceleration, 1.0},
+    {"millisekunden", K::Time, Q::Acceleration, 1e-3},
+    {"mikrosekunden", K::Time, Q::Acceleration, 1e-6},
+    {"millisec", K::Time, Q::Acceleration, 1e-3},
+    {"microsec", K::Time, Q::Acceleration, 1e-6},
+    {"nanosec", K::Time, Q::Acceleration, 1e-9},
     {"millis", K::Time, Q::Acceleration, 1e-3},
     {"millisecond", K::Time, Q::Acceleration, 1e-3},
     {"milliseconds", K::Time, Q::Acceleration, 1e-3},
@@ -173,6 +181,11 @@ std::optional<NameAndUnit> splitAtVolts(std::string_view text) {
   return std::nullopt;
 }
 
+// "Y[0]", "Channel (1)": one of several of a name.
+bool isIndex(std::string_view inside) {
+  return !inside.empty() && std::all_of(inside.begin(), inside.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 // Where the bracket that closes at the end of `text` opens: "Accel (10.2 mV/(m/s^2))".
 std::size_t openingOfLast(std::string_view text) {
   const char closing = text.back(), opening = closing == ')' ? '(' : '[';
@@ -191,62 +204,12 @@ NameAndUnit splitNameAndUnit(std::string_view text) {
   if (auto both = splitAtVolts(t)) return *both;
   if (t.size() >= 3 && (t.back() == ')' || t.back() == ']')) {
     const std::size_t open = openingOfLast(t);
-    if (open != std::string_view::npos && open > 0) {
+    if (open != std::string_view::npos && open > 0 && !isIndex(t.substr(open + 1, t.size() - open - 2))) {
       return {std::string(trimmed(t.substr(0, open))), std::string(trimmed(t.substr(open + 1, t.size() - open - 2)))};
     }
   }
   return {std::string(t), ""};
 }
-
-namespace {
-
-// A whole name, or a word for time with its unit or its kind behind it or before it: "time_ms", "elapsed seconds".
-bool isTimeName(const std::string& n) {
-  constexpr auto kNames = std::to_array<std::string_view>({"t",
-                                                           "time",
-                                                           "times",
-                                                           "timestamp",
-                                                           "time stamp",
-                                                           "timestamps",
-                                                           "x_value",
-                                                           "zeit",
-                                                           "zeitstempel",
-                                                           "tiempo",
-                                                           "tempo",
-                                                           "temps",
-                                                           "second",
-                                                           "seconds",
-                                                           "secs",
-                                                           "sec",
-                                                           "millis",
-                                                           "milliseconds",
-                                                           "micros",
-                                                           "microseconds",
-                                                           "nanoseconds",
-                                                           "elapsed",
-                                                           "elapsedtime",
-                                                           "datetime",
-                                                           "date/time",
-                                                           "date time",
-                                                           "datum/zeit",
-                                                           "zeit/datum",
-                                                           "\xE6\x97\xB6\xE9\x97\xB4",
-                                                           "t_s",
-                                                           "t_ms",
-                                                           "t_us",
-                                                           "t_ns"});
-  constexpr auto kBeginnings =
-      std::to_array<std::string_view>({"time ", "time_", "time-", "timestamp ", "timestamp_", "elapsed ", "elapsed_",
-                                       "zeit ", "zeit_", "relative time", "rel. time", "rel time"});
-  constexpr auto kEnds = std::to_array<std::string_view>({"_elapsed", " elapsed", "_time", " time", "_timestamp"});
-  const auto begins = [&n](std::string_view word) { return n.starts_with(word); };
-  const auto ends = [&n](std::string_view word) { return n.ends_with(word); };
-  if (std::find(kNames.begin(), kNames.end(), n) != kNames.end()) return true;
-  if (std::any_of(kBeginnings.begin(), kBeginnings.end(), begins)) return true;
-  return std::any_of(kEnds.begin(), kEnds.end(), ends);
-}
-
-}  // namespace
 
 NameMeaning meaningOfName(std::string_view text) {
   const std::string n = lower(trimmed(text));

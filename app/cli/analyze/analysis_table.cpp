@@ -72,6 +72,24 @@ nlohmann::json scoreJson(const evaluate::AlarmScore& s, double error) {
           {"frequency_error", std::isfinite(error) ? nlohmann::json(error) : nlohmann::json()}};
 }
 
+// Columns that were not even read as channels.
+Message whySkipped(const record::RecordingFormat& format, std::size_t i) {
+  const bool told = i < format.skippedWhy.size() && !format.skippedWhy[i].empty();
+  return told ? format.skippedWhy[i] : message("it is no vibration");
+}
+
+void printSkipped(const record::RecordingFormat& format) {
+  for (std::size_t i = 0; i < format.skipped.size(); ++i) {
+    std::printf("  '%s' is left out: %s\n", format.skipped[i].c_str(), text(whySkipped(format, i)).c_str());
+  }
+}
+
+void addSkipped(nlohmann::json& leftOut, const record::RecordingFormat& format) {
+  for (std::size_t i = 0; i < format.skipped.size(); ++i) {
+    leftOut.push_back({{"channel", nullptr}, {"name", format.skipped[i]}, {"reason", text(whySkipped(format, i))}});
+  }
+}
+
 void printAnswer(const std::string& recording, const RecordingAnswer& answer) {
   const evaluate::AnswerWriting writing = evaluate::englishWriting();
   std::printf("%s: %s\n", recording.c_str(), text(evaluate::findingSentence(answer, writing)).c_str());
@@ -89,6 +107,7 @@ void printAnswer(const std::string& recording, const RecordingAnswer& answer) {
 
 void printTable(const Analysis& a) {
   printAnswer(a.recording, a.answers.front());
+  printSkipped(a.format);
   std::printf("%s, %zu channel(s) at %.6g Hz, %.3f s\n", a.format.kind.c_str(), a.format.channels.size(),
               a.format.rate.value, a.format.length().value);
   for (const std::string& remark : a.remarks) std::printf("%s\n", remark.c_str());
@@ -113,6 +132,7 @@ void printAnswerLine(const Analysis& a) {
   nlohmann::json object = jsonObject("analyze", "answer");
   object["recording"] = a.recording;
   object["answer"] = evaluate::toJson(a.answers.front());
+  addSkipped(object["answer"]["left_out"], a.format);
   object["kind"] = a.format.kind;
   object["rate_hz"] = a.format.rate.value;
   object["channels"] = a.format.channels.size();

@@ -110,7 +110,7 @@ Result<Answered> analyzeOne(const AnalyzeOptions& given, const RecordingOptions&
   if (!built) return built.error();
   Rig& rig = *built->rig;
   auto truth = given.truth ? evaluate::truthOf(path) : evaluate::truthIn(path);
-  if (!truth && given.truth) return truth.error();
+  if (!truth && given.truth) return truth.error();  // else nobody has asked for it
   Course course(given, *built, recording);
   rig.runToEnd([&](const StepInput& in, const StepOutput& out) { course.observe(in, out); });
   if (const Message fault = rig.device().fault(); !fault.empty()) return Error{{}, fault};
@@ -123,7 +123,6 @@ Result<Answered> analyzeOne(const AnalyzeOptions& given, const RecordingOptions&
   a.recording = recording;
   a.format = built->format;
   a.remarks = remarks(rig.setup(), built->format, !options.log.empty(), judge.summary(0).spindle_Hz);
-  if (!truth) a.remarks.push_back("without the truth beside it: " + truth.error().line());
   if (truth) a.truth = std::move(truth).value();
   for (std::size_t d = 0; d < judge.detectors(); ++d) {
     a.detectors.push_back(judge.summary(d));

@@ -40,12 +40,23 @@ class Hdf5Column final : public Column {
     }
     const hsize_t length = out.size();
     const Hdf5Id memory(H5Screate_simple(1, &length, nullptr));
+    whole_.resize(fromFirst_ ? out.size() : 0);
+    void* into = fromFirst_ ? static_cast<void*>(whole_.data()) : out.data();
     if (H5Sselect_hyperslab(fileSpace.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0 ||
-        H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, memory.get(), fileSpace.get(), H5P_DEFAULT, out.data()) < 0) {
+        H5Dread(dataset_.get(), fromFirst_ ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE, memory.get(), fileSpace.get(),
+                H5P_DEFAULT, into) < 0) {
       return Error{where_, message("'%1' cannot be read", cleanName(array_.path)), hdf5Cause()};
+    }
+    if (next_ == 0 && !whole_.empty()) first_ = static_cast<std::uint64_t>(whole_.front());
+    for (std::size_t i = 0; i < whole_.size(); ++i) {
+      out[i] = static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(whole_[i]) - first_));
     }
     next_ += out.size();
     return Done{};
+  }
+  void countFromFirst() override {
+    const Hdf5Id type(H5Dget_type(dataset_.get()));
+    fromFirst_ = type && H5Tget_class(type.get()) == H5T_INTEGER;
   }
 
  private:
@@ -55,6 +66,9 @@ class Hdf5Column final : public Column {
   hsize_t column_;
   std::string where_;
   hsize_t next_ = 0;
+  bool fromFirst_ = false;
+  std::uint64_t first_ = 0;
+  std::vector<std::int64_t> whole_;  // the numbers at hand, where they are counted from the first
 };
 
 bool shapeOf(hid_t dataset, Shape& shape) {
@@ -116,8 +130,13 @@ void takeDataset(Walk& walk, const std::string& path) {
   const Hdf5Id dataset(H5Dopen2(walk.file, path.c_str(), H5P_DEFAULT));
   const Hdf5Id type(dataset ? H5Dget_type(dataset.get()) : H5I_INVALID_HID);
   Shape shape;
-  if (!type || !shapeOf(dataset.get(), shape)) return;
+  if (!type) return;
   const H5T_class_t kind = H5Tget_class(type.get());
+  if (kind == H5T_COMPOUND && walk.listing.table.empty()) walk.listing.table = cleanName(path);
+  if (!shapeOf(dataset.get(), shape)) {
+    if ((kind == H5T_FLOAT || kind == H5T_INTEGER) && walk.listing.deep.empty()) walk.listing.deep = cleanName(path);
+    return;
+  }
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) return;
   const std::string name = path.substr(path.rfind('/') + 1);
   const std::string matlab = readAnyText(dataset.get(), "MATLAB_class").value_or("");

@@ -27,6 +27,7 @@ struct Hdf5Listing {
   std::vector<Hdf5Array> arrays;                           // of two numbers or more
   std::vector<std::pair<std::string, double>> numbers;     // of one
   std::vector<std::pair<std::string, std::string>> texts;  // MATLAB's character arrays
+  std::string table, deep;                                 // the first of records, of three dimensions; empty: none
 };
 
 // Everything at or under `from` (a data set or a folder, which is looked through with all its folders). An array for

@@ -35,17 +35,59 @@ std::optional<double> numberIn(hid_t folder, const char* name) {
   return value;
 }
 
-// Numbers in attributes count like single numbers beside the data: of the data set, then of every folder above it.
-void addAttributeNumbers(hid_t file, const std::string& from, FileContents& contents) {
+struct Stated {
+  std::vector<std::pair<std::string, double>> numbers;
+  std::vector<std::pair<std::string, std::string>> texts;
+};
+
+herr_t takeAttribute(hid_t object, const char* name, const H5A_info_t*, void* context) {
+  Stated& stated = *static_cast<Stated*>(context);
+  if (!namesRate(name)) return 0;
+  if (const auto value = readNumber(object, name)) {
+    stated.numbers.emplace_back(name, *value);
+  } else if (const auto text = readAnyText(object, name)) {
+    stated.texts.emplace_back(name, *text);
+  }
+  return 0;
+}
+
+// The attributes of one object that tell a rate.
+Stated attributesOf(hid_t file, const std::string& at) {
+  Stated stated;
+  const Hdf5Id object(H5Oopen(file, at.c_str(), H5P_DEFAULT));
+  if (object) H5Aiterate2(object.get(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, takeAttribute, &stated);
+  return stated;
+}
+
+// The rate that the data sets tell of themselves. Error: they tell several.
+Status takeRateOfSets(hid_t file, const std::vector<Hdf5Array>& arrays, FileContents& contents) {
+  std::optional<double> all;
+  for (const Hdf5Array& array : arrays) {
+    const Stated stated = attributesOf(file, array.path);
+    const std::optional<double> rate = statedRate(stated.numbers, stated.texts);
+    if (!rate) continue;
+    if (all && *all != *rate) {
+      return Error{contents.path, message("its data sets have several rates"),
+                   message("name one of them: %1", cleanName(contents.path + ":" + array.path))};
+    }
+    all = rate;
+  }
+  if (all) contents.numbers.emplace_back("rate_hz", *all);
+  return Done{};
+}
+
+// Numbers in attributes, and data sets of one number, count like single numbers beside the data: of every folder from
+// `from` up.
+void takeRateOfFolders(hid_t file, const std::string& from, FileContents& contents) {
   for (std::string at = from;; at = folderOf(at)) {
+    Stated stated = attributesOf(file, at);
+    contents.numbers.insert(contents.numbers.end(), stated.numbers.begin(), stated.numbers.end());
+    contents.texts.insert(contents.texts.end(), stated.texts.begin(), stated.texts.end());
     const Hdf5Id object(H5Oopen(file, at.c_str(), H5P_DEFAULT));
-    if (object) {
+    if (object && H5Iget_type(object.get()) == H5I_GROUP) {
       for (const char* name : {"rate_hz", "rate", "fs", "sample_rate", "sampling_rate", "samplerate",
                                "sampling_frequency", "dt", "wf_increment", "sample_interval"}) {
-        const std::string key = std::string(name) == "wf_increment" ? "dt" : name;
-        if (const auto value = readNumber(object.get(), name)) contents.numbers.emplace_back(key, *value);
-        if (H5Iget_type(object.get()) != H5I_GROUP) continue;
-        if (const auto value = numberIn(object.get(), name)) contents.numbers.emplace_back(key, *value);
+        if (const auto value = numberIn(object.get(), name)) contents.numbers.emplace_back(name, *value);
       }
     }
     if (at == "/") return;
@@ -87,7 +129,16 @@ Error several(const std::string& path, const std::vector<Hdf5Array>& arrays) {
                message("name one of them or their folder: %1", names)};
 }
 
-Result<std::string> placeOf(const std::string& path, const std::vector<Hdf5Array>& arrays) {
+Result<std::string> placeOf(const std::string& path, const Hdf5Listing& listing) {
+  const std::vector<Hdf5Array>& arrays = listing.arrays;
+  if (arrays.empty() && !listing.table.empty()) {
+    return Error{path, message("'%1' is a table of records, which is not read", listing.table),
+                 message("save each of its columns as a data set of its own")};
+  }
+  if (arrays.empty() && !listing.deep.empty()) {
+    return Error{path, message("'%1' has more than two dimensions", listing.deep),
+                 message("save samples by channels, one block behind the other")};
+  }
   if (arrays.empty())
     return Error{path, message("holds no data set of numbers"), message("not a Stillcut session either")};
   const std::string folder = folderOf(arrays.front().path);
@@ -146,7 +197,7 @@ Result<std::unique_ptr<RecordingReader>> openHdf5(const std::string& path, const
   if (!listing) return listing.error();
   std::string place = inner;
   if (inner.empty()) {
-    Result<std::string> found = placeOf(path, listing->arrays);
+    Result<std::string> found = placeOf(path, *listing);
     if (!found) return found.error();
     place = *found;
   }
@@ -158,7 +209,9 @@ Result<std::unique_ptr<RecordingReader>> openHdf5(const std::string& path, const
   }
   contents.kind = isMatlab73(file->get(), listing->arrays) ? "MATLAB v7.3" : "HDF5";
   contents.numbers = listing->numbers;
-  addAttributeNumbers(file->get(), listing->arrays.size() == 1 ? listing->arrays[0].path : place, contents);
+  contents.texts = listing->texts;
+  if (const Status s = takeRateOfSets(file->get(), listing->arrays, contents); !s) return s.error();
+  takeRateOfFolders(file->get(), place, contents);
   for (const Hdf5Array& array : listing->arrays) {
     FileArray described = describe(file, array, where);
     for (const auto& [name, text] : listing->texts) {

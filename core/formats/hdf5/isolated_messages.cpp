@@ -172,6 +172,7 @@ std::string toCbor(const RecordingFormat& format) {
            {"simulated", format.simulated},
            {"closed", format.closedCleanly}};
   for (const Message& note : format.notes) all["notes"].push_back(json(note));
+  for (const Message& why : format.skippedWhy) all["skipped_why"].push_back(json(why));
   if (format.setup) all["setup"] = packed(*format.setup);
   return cbor(all);
 }
@@ -193,6 +194,9 @@ RecordingFormat formatFrom(const std::string& packed) {
   format.started_ns = all["started"].get<std::int64_t>();
   format.simulated = all["simulated"].get<bool>();
   format.closedCleanly = all["closed"].get<bool>();
+  if (all.contains("skipped_why")) {
+    for (const Json& why : all["skipped_why"]) format.skippedWhy.push_back(messageFrom(why));
+  }
   if (all.contains("notes")) {
     for (const Json& note : all["notes"]) format.notes.push_back(messageFrom(note));
   }

@@ -74,17 +74,35 @@ bool toDoubles(matio_classes type, const std::vector<unsigned char>& raw, std::s
   }
 }
 
+// Whole numbers of 64 bits, from the first of the column on.
+struct FirstOfColumn {
+  bool known = false;
+  std::uint64_t value = 0;
+};
+void countFrom(FirstOfColumn& first, const std::vector<unsigned char>& raw, std::vector<double>& out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, raw.data() + i * sizeof bits, sizeof bits);
+    if (!first.known) first = {true, bits};
+    out[i] = static_cast<double>(static_cast<std::int64_t>(bits - first.value));
+  }
+}
+
 // `count` numbers of one row or column of the variable.
 bool readSlab(mat_t* mat, matvar_t* variable, bool framesAreRows, std::size_t column, std::size_t first,
-              std::size_t count, std::vector<double>& out) {
+              std::size_t count, std::vector<double>& out, FirstOfColumn* origin = nullptr) {
   std::vector<unsigned char> raw(count * 8);
   const std::size_t rows = variable->dims[0];
   const std::size_t from = framesAreRows ? column * rows + first : first * rows + column;
   const std::size_t stride = framesAreRows ? 1 : rows;
   out.resize(count);
-  return Mat_VarReadDataLinear(mat, variable, raw.data(), static_cast<int>(from), static_cast<int>(stride),
-                               static_cast<int>(count)) == 0 &&
-         toDoubles(variable->class_type, raw, count, out);
+  if (Mat_VarReadDataLinear(mat, variable, raw.data(), static_cast<int>(from), static_cast<int>(stride),
+                            static_cast<int>(count)) != 0 ||
+      !toDoubles(variable->class_type, raw, count, out))
+    return false;
+  const bool long64 = variable->class_type == MAT_C_INT64 || variable->class_type == MAT_C_UINT64;
+  if (origin != nullptr && long64) countFrom(*origin, raw, out);
+  return true;
 }
 
 class MatColumn final : public Column {
@@ -102,7 +120,8 @@ class MatColumn final : public Column {
     for (double& value : out) {
       if (at_ == slab_.size()) {
         const std::size_t count = std::min(atOnce_, frames_ - next_);
-        if (count == 0 || !readSlab(mat_.get(), variable_.get(), framesAreRows_, column_, next_, count, slab_)) {
+        if (count == 0 || !readSlab(mat_.get(), variable_.get(), framesAreRows_, column_, next_, count, slab_,
+                                    fromFirst_ ? &first_ : nullptr)) {
           return Error{where_, message("'%1' cannot be read", cleanName(variable_->name)), message("a damaged file")};
         }
         next_ += count;
@@ -112,10 +131,13 @@ class MatColumn final : public Column {
     }
     return Done{};
   }
+  void countFromFirst() override { fromFirst_ = true; }
 
  private:
   MatFile mat_;
   Variable variable_;
+  bool fromFirst_ = false;
+  FirstOfColumn first_;
   bool framesAreRows_;
   std::size_t frames_;
   std::size_t column_;
@@ -173,6 +195,12 @@ class MatListing {
                                      [&array](const auto& text) { return text.first == array.name + "_name"; });
       if (full != texts_.end() && !full->second.empty()) array.name = full->second;
     }
+    contents_.texts = texts_;
+    if (contents_.arrays.empty() && !boxed_.empty()) {
+      return Error{contents_.path,
+                   message("holds '%1', a cell array or an array of structs, which is not read", boxed_),
+                   message("save its numbers as plain variables in MATLAB: x = c{1}; save cut.mat x fs")};
+    }
     if (contents_.arrays.empty() && !inner_.empty()) {
       return Error{contents_.path + ":" + inner_, message("there is no such array in the file")};
     }
@@ -184,7 +212,7 @@ class MatListing {
   Status takeFields(const Variable& v, const std::string& path, int depth) {
     constexpr int kDeepest = 8;
     const std::size_t fields = v->data == nullptr ? 0 : Mat_VarGetNumberOfFields(v.get());
-    if (depth > kDeepest || v->rank != 2 || v->dims[0] * v->dims[1] != 1) return skip(cleanName(path));
+    if (depth > kDeepest || v->rank != 2 || v->dims[0] * v->dims[1] != 1) return skipBoxed(cleanName(path));
     for (std::size_t i = 0; i < fields; ++i) {
       matvar_t* field = Mat_VarGetStructFieldByIndex(v.get(), i, 0);
       if (field == nullptr || field->name == nullptr) continue;
@@ -203,6 +231,7 @@ class MatListing {
 
   Status take(const Variable& v, const std::string& path, int depth = 0) {
     const std::string name = cleanName(v->name);
+    if (v->class_type == MAT_C_CELL) return skipBoxed(cleanName(path));
     if (v->class_type == MAT_C_STRUCT) return takeFields(v, path, depth);
     if (v->rank != 2 || v->dims == nullptr || v->dims[0] == 0 || v->dims[1] == 0) return skip(name);
     constexpr std::uint64_t kMostDeflated = 1100;
@@ -239,6 +268,10 @@ class MatListing {
     return Done{};
   }
 
+  Status skipBoxed(const std::string& name) {
+    if (boxed_.empty()) boxed_ = name;
+    return skip(name);
+  }
   Status skip(const std::string& name) {
     contents_.skipped.push_back(name);
     return Done{};
@@ -248,6 +281,7 @@ class MatListing {
   std::string inner_;
   std::uint64_t fileBytes_;
   FileContents contents_;
+  std::string boxed_;  // the first cell array or array of structs
   std::shared_ptr<std::size_t> channels_ = std::make_shared<std::size_t>(0);  // in all arrays
   std::vector<std::pair<std::string, std::string>> texts_;
 };

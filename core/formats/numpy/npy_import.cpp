@@ -24,6 +24,7 @@ struct NpyHeader {
   std::size_t size = 0;
   bool bigEndian = false;
   bool columnsApart = false;  // Fortran's order
+  std::string timeUnit;       // of dates ("datetime64[ns]"); empty: plain numbers
   std::vector<std::uint64_t> shape;
   std::uint64_t bytes = 0;  // before the numbers
   std::uint64_t count() const {
@@ -69,7 +70,15 @@ bool readType(std::string_view text, NpyHeader& header) {
   header.bigEndian = text[0] == '>';
   header.kind = text[1];
   const auto [end, problem] = std::from_chars(text.data() + 2, text.data() + text.size(), header.size);
-  if (problem != std::errc{} || end == text.data() + text.size() || *end != '\'') return false;
+  if (problem != std::errc{} || end == text.data() + text.size()) return false;
+  if (header.kind == 'M' && *end == '[') {
+    const std::size_t open = text.find('['), close = text.find(']');
+    if (open == std::string_view::npos || close == std::string_view::npos || close < open) return false;
+    header.timeUnit.assign(text, open + 1, close - open - 1);
+    header.kind = 'i';
+    return header.size == 8;
+  }
+  if (*end != '\'') return false;
   const auto is = [&header](std::string_view kinds, std::initializer_list<std::size_t> sizes) {
     return kinds.find(header.kind) != std::string_view::npos &&
            std::find(sizes.begin(), sizes.end(), header.size) != sizes.end();
@@ -122,15 +131,26 @@ class NpyColumn final : public Column {
     for (double& value : out) {
       if ((begun_ && !stream_->skip(gap_)) || !stream_->read(one))
         return Error{where_, message("ends early"), message("a truncated or damaged file")};
+      value = fromFirst_ && header_.kind != 'f' ? stepsFromFirst(one) : toDouble(one, header_);
       begun_ = true;
-      value = toDouble(one, header_);
     }
     return Done{};
   }
+  void countFromFirst() override { fromFirst_ = true; }
 
  private:
+  double stepsFromFirst(std::span<unsigned char> bytes) {
+    if (header_.bigEndian) std::reverse(bytes.begin(), bytes.end());
+    const std::uint64_t bits = littleEndian(bytes);
+    const unsigned unused = 64U - 8U * static_cast<unsigned>(bytes.size());
+    if (!begun_) first_ = bits;
+    return static_cast<double>(static_cast<std::int64_t>((bits - first_) << unused) >> unused);
+  }
+
   std::unique_ptr<ByteStream> stream_;
   NpyHeader header_;
+  bool fromFirst_ = false;
+  std::uint64_t first_ = 0;
   std::uint64_t gap_;  // [bytes] between two numbers of the column
   std::string where_;
   bool begun_ = false;
@@ -165,14 +185,15 @@ Status takeArray(const FilePart& part, const std::string& name, FileContents& co
   }
   const std::string where = contents.path;
   if (header->count() == 1) {
-    auto column =
-        openColumn(part, NpyHeader{header->kind, header->size, header->bigEndian, false, {1}, header->bytes}, 0, where);
+    auto column = openColumn(
+        part, NpyHeader{header->kind, header->size, header->bigEndian, false, "", {1}, header->bytes}, 0, where);
     std::array<double, 1> value{};
     if (column && (*column)->read(value)) contents.numbers.emplace_back(name, value[0]);
     return Done{};
   }
   FileArray array;
   array.name = name;
+  array.unit = header->timeUnit;
   const std::uint64_t longer = *std::max_element(header->shape.begin(), header->shape.end());
   const std::uint64_t shorter = header->count() / longer;
   if (shorter > kMostColumns) {

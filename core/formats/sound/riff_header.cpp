@@ -52,6 +52,44 @@ void judgeSizes(RiffHeader& header, std::uint64_t size, std::uint64_t fromDs64) 
   }
 }
 
+// Whether what stands at `at` can be a chunk: four letters, and a size that the file has room for.
+bool isChunk(std::ifstream& file, std::uint64_t at, std::uint64_t fileSize) {
+  std::array<unsigned char, 8> head{};
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(at));
+  file.read(reinterpret_cast<char*>(head.data()), head.size());
+  file.clear();
+  const bool letters =
+      std::all_of(head.begin(), head.begin() + 4, [](unsigned char c) { return c >= 0x20 && c < 0x7F; });
+  constexpr std::uint64_t kCutAway = 1024;  // of the last chunk
+  return letters && at + 8 + littleEndian32(head.data() + 4) <= fileSize + kCutAway;
+}
+
+bool holdsOnlyZeros(std::ifstream& file, std::uint64_t at) {
+  std::array<char, 65536> bytes{};
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(at));
+  bool zeros = true;
+  while (zeros && file) {
+    file.read(bytes.data(), bytes.size());
+    zeros = std::all_of(bytes.begin(), bytes.begin() + file.gcount(), [](char c) { return c == 0; });
+  }
+  file.clear();
+  return zeros;
+}
+
+// A recorder that writes the size now and then, and lost its power: samples go on behind those of the header, where
+// another chunk or nothing would be. A few bytes are what some program has hung on.
+void findSamplesBehind(std::ifstream& file, RiffHeader& header, std::uint64_t fileSize) {
+  constexpr std::uint64_t kFew = 4096;
+  constexpr std::uint16_t kWhole = 1, kFloat = 3;
+  const bool plain = header.format == kWhole || header.format == kFloat;
+  if (!plain || header.sizes != RiffHeader::Sizes::True || header.held < header.promised + kFew) return;
+  const std::uint64_t end = header.dataAt + header.promised;
+  if (isChunk(file, end, fileSize) || isChunk(file, end + 1, fileSize) || holdsOnlyZeros(file, end)) return;
+  header.sizes = RiffHeader::Sizes::Behind;
+}
+
 }  // namespace
 
 // How much there should be stands in the data chunk, or, of RF64, in the ds64 chunk before it.
@@ -86,6 +124,7 @@ Result<std::optional<RiffHeader>> readRiffHeader(const std::string& path) {
       header.dataAt = at;
       header.held = fileSize - std::min(at, fileSize);
       judgeSizes(header, size, dataSize);
+      findSamplesBehind(file, header, fileSize);
       return std::optional<RiffHeader>(header);
     }
     at += size + (size & 1U);
@@ -104,6 +143,7 @@ std::optional<Message> noteOfSizes(const RiffHeader& header) {
           "the header's size is not true: it says %1 bytes, which is what 32 bits leave of %2, which are read",
           header.promised, header.held);
     case RiffHeader::Sizes::Short:
+    case RiffHeader::Sizes::Behind:
     case RiffHeader::Sizes::Unfinished:
       break;
   }

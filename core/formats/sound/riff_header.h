@@ -16,6 +16,7 @@ struct RiffHeader {
     Short,       // the file holds less than it promises
     Unfinished,  // 0: its recorder writes the size at the end, and did not come to it
     Unknown,     // 0xFFFFFFFF: written into a pipe
+    Behind,      // less than what the file holds: its recorder had not come to write the rest of it
     Wrapped,     // more than 32 bits hold: the size is what is left of it
   };
   Sizes sizes = Sizes::True;

@@ -55,7 +55,7 @@ int plainFormat(const RiffHeader& header) {
 // Of a stream too: libsndfile reads none in RF64.
 bool isUntold(const RiffHeader& header) {
   return header.sizes == RiffHeader::Sizes::Unfinished || header.sizes == RiffHeader::Sizes::Wrapped ||
-         header.sizes == RiffHeader::Sizes::Unknown;
+         header.sizes == RiffHeader::Sizes::Unknown || header.sizes == RiffHeader::Sizes::Behind;
 }
 
 }  // namespace

@@ -100,6 +100,19 @@ Message whyNot(int error) {
 
 }  // namespace
 
+bool isRareSound(const std::string& path) {
+  SF_INFO info{};
+  SNDFILE* file = sf_open(path.c_str(), SFM_READ, &info);
+  if (file == nullptr) return false;
+  sf_close(file);
+  const int major = info.format & SF_FORMAT_TYPEMASK;
+  // Of two bytes and of a length that fits: too little to know random bytes by.
+  if (major == SF_FORMAT_MPC2K || major == SF_FORMAT_RAW) return false;
+  constexpr int kSlowest = 1000, kFastest = 10'000'000;  // [Hz]
+  return info.frames > 0 && info.channels >= 1 && info.channels <= kMostChannels && info.samplerate >= kSlowest &&
+         info.samplerate <= kFastest;
+}
+
 Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const ReadOptions& options) {
   const Result<std::optional<RiffHeader>> header = readRiffHeader(path);
   if (!header) return header.error();

@@ -14,6 +14,9 @@ namespace stillcut::record {
 
 Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const ReadOptions& options);
 
+// Whether libsndfile knows the file, and by more than a guess.
+bool isRareSound(const std::string& path);
+
 enum class SoundFormat { Wav, Flac };
 
 struct SoundOptions {

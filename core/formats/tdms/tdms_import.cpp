@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <utility>
 
 #include "core/formats/tdms/tdms_index.h"
@@ -138,6 +139,24 @@ Status takeChannel(const TdmsChannel& c, const std::string& path, double increme
   return Done{};
 }
 
+// A last segment that is cut off holds more of some channels than of others: all end at the shortest, unless that
+// would be far less.
+void endTogether(std::vector<TdmsChannel>& channels) {
+  std::uint64_t shortest = std::numeric_limits<std::uint64_t>::max(), longest = 0;
+  for (const TdmsChannel& c : channels) {
+    shortest = std::min(shortest, c.values);
+    longest = std::max(longest, c.values);
+  }
+  if (2 * shortest < longest) return;
+  for (TdmsChannel& c : channels) c.values = shortest;
+}
+
+// What the file, a group or a channel says of the rate.
+void takeRates(const TdmsChannel& c, FileContents& contents) {
+  for (const auto& number : c.numbers) contents.numbers.emplace_back(number);
+  for (const auto& text : c.texts) contents.texts.emplace_back(text);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openTdms(const std::string& path, const std::string& inner,
@@ -158,6 +177,9 @@ Result<std::unique_ptr<RecordingReader>> openTdms(const std::string& path, const
   contents.kind = "LabVIEW TDMS";
   const double increment = usualIncrement(wanted);
   if (increment > 0.0) contents.numbers.emplace_back("dt", increment);
+  if (index->cut) endTogether(wanted);
+  for (const TdmsChannel& c : wanted) takeRates(c, contents);
+  for (const TdmsChannel& c : index->above) takeRates(c, contents);
   contents.started_ns = index->started_ns;
   for (const TdmsChannel& c : wanted) {
     if (c.started_ns != 0 && incrementOf(c) == increment) contents.started_ns = c.started_ns;

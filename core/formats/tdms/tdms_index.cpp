@@ -111,7 +111,11 @@ class Indexer {
     }
     index_.cut = index_.cut || at != size_;
     for (Object& object : objects_) {
-      if (object.channel.values > 0) index_.channels.push_back(std::move(object.channel));
+      if (object.channel.values > 0) {
+        index_.channels.push_back(std::move(object.channel));
+      } else if (object.channel.name.empty()) {
+        index_.above.push_back(std::move(object.channel));
+      }
     }
     return std::move(index_);
   }

@@ -55,6 +55,7 @@ struct TdmsChannel {
 
 struct TdmsIndex {
   std::vector<TdmsChannel> channels;  // with values, in the order of the file
+  std::vector<TdmsChannel> above;     // the groups, then the file: what is told of all in them
   std::int64_t started_ns = 0;        // of the file
   bool cut = false;                   // its last segment was not finished
 };

@@ -64,7 +64,8 @@ void takeRowsBesideTheHeader(std::span<const std::string> lines, DataRows& rows)
   forEachRow(lines, rows, [&filled](const Cells& cells) {
     for (std::size_t k = 0; k < std::min(cells.size(), filled.size()); ++k) filled[k] = filled[k] || !cells[k].empty();
   });
-  if (std::count(filled.begin(), filled.end(), false) == 0) return;
+  // A key and its value need two columns; with one, the values stand in those of the samples.
+  if (std::count(filled.begin(), filled.end(), false) < 2) return;
   Cells cells;
   while (rows.first > 0) {
     splitCells(lines[rows.first - 1], rows.format.delimiter, cells);

@@ -1,5 +1,6 @@
 #include "core/formats/text/line_reader.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -27,13 +28,32 @@ Status LineReader::refill() {
   return Done{};
 }
 
+// Lines of old Macintosh programs end with CR alone.
+void LineReader::findLineEnd() {
+  const std::string_view first(buffer_.data(), end_);
+  if (first.find('\n') == std::string_view::npos && first.find('\r') != std::string_view::npos) lineEnd_ = '\r';
+}
+
+namespace {
+
+// What a logger that lost its power leaves in a line: zeros, with text at most beside them.
+bool isTextWithZeros(std::string_view line) {
+  return std::all_of(line.begin(), line.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte == 0 || byte >= 0x20 || c == '\t' || c == '\r';
+  });
+}
+
+}  // namespace
+
 Result<bool> LineReader::next(std::string_view& line) {
   const auto findEnd = [this] {
-    return static_cast<const char*>(std::memchr(buffer_.data() + begin_, '\n', end_ - begin_));
+    return static_cast<const char*>(std::memchr(buffer_.data() + begin_, lineEnd_, end_ - begin_));
   };
   const char* newline = findEnd();
   if (newline == nullptr && !atEnd_) {
     if (const Status s = refill(); !s) return s.error();
+    if (number_ == 0) findLineEnd();
     newline = findEnd();
   }
   if (newline == nullptr && begin_ == end_) return false;
@@ -44,7 +64,10 @@ Result<bool> LineReader::next(std::string_view& line) {
   if (length > kLongestLine)
     return Error{where(), message("the line is too long"), message("this is no text recording")};
   const std::string_view raw(start, length);
-  if (std::memchr(start, '\0', length) != nullptr) return Error{where(), message("holds bytes that are no text")};
+  constexpr std::int64_t kSurelyText = 400;  // lines: a file of other bytes shows itself in the first of them
+  const bool zeros = std::memchr(start, '\0', length) != nullptr;
+  if (zeros && (number_ <= kSurelyText || !isTextWithZeros(raw)))
+    return Error{where(), message("holds bytes that are no text")};
   line = raw;
   if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   if (line.ends_with('\r')) line.remove_suffix(1);

@@ -20,8 +20,9 @@ class LineReader {
 
   explicit LineReader(std::string path);
   Status open();
-  // The next line without its end (LF or CR LF) and without a byte-order mark; valid until the next call. False: the
-  // end. Error: unreadable, a line too long, or bytes that are no text.
+  // The next line without its end (LF, CR LF, or CR alone) and without a byte-order mark; valid until the next call.
+  // False: the end. Error: unreadable, a line too long, or bytes that are no text; zeros far behind the first lines are
+  // what a loss of power leaves, and given as they are.
   Result<bool> next(std::string_view& line);
   // Of the line last returned, counted from 1.
   std::int64_t number() const { return number_; }
@@ -30,6 +31,7 @@ class LineReader {
 
  private:
   Status refill();
+  void findLineEnd();
 
   std::string path_;
   std::unique_ptr<TextBytes> bytes_;
@@ -37,6 +39,7 @@ class LineReader {
   std::size_t begin_ = 0;  // unread part of buffer_
   std::size_t end_ = 0;
   bool atEnd_ = false;
+  char lineEnd_ = '\n';
   std::int64_t number_ = 0;
 };
 

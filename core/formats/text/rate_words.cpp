@@ -17,6 +17,7 @@ struct Key {
   std::string_view words;  // small letters, blanks for all that parts words
   bool step;               // the time from one sample to the next, not the rate
   bool first = false;      // only where its cell begins: "rate" behind "feed" is another one
+  bool unit = false;       // only with a unit of a rate or a time: alone the word says too little
 };
 
 constexpr auto kKeys = std::to_array<Key>({
@@ -34,6 +35,12 @@ constexpr auto kKeys = std::to_array<Key>({
     {"rate", false, true},
     {"fs", false, true},
     {"sps", false, true},
+    {"sampling", false, true, true},
+    {"odr", false, true},  // output data rate, of a sensor on a chip
+    {"fr\xC3\xA9quence d'\xC3\xA9"
+     "chantillonnage",
+     false},
+    {"frequence d'echantillonnage", false},
     {"abtastrate", false},
     {"abtastfrequenz", false},
     {"\xE9\x87\x87\xE6\xA0\xB7\xE7\x8E\x87", false},              // sampling rate
@@ -49,6 +56,11 @@ constexpr auto kKeys = std::to_array<Key>({
     {"x increment", true},
     {"xincrement", true},
     {"xincr", true},
+    {"xinc", true},
+    {"dx", true, true},
+    {"interval", true, true},
+    {"intervall", true, true},
+    {"clock", true, true, true},
     {"tinc", true},
     {"delta x", true},
     {"delta t", true},
@@ -75,6 +87,7 @@ std::string plainLine(std::string_view line) {
 struct Found {
   std::size_t end = 0;
   bool step = false;
+  bool unit = false;  // it must have one
 };
 
 bool beginsItsCell(std::string_view plain, std::size_t at) {
@@ -91,7 +104,7 @@ std::optional<Found> keyAt(std::string_view plain, std::size_t at) {
     const std::size_t end = at + key.words.size();
     if (end < plain.size() && isWordSign(plain[end])) continue;
     if (key.first && !beginsItsCell(plain, at)) continue;
-    if (!best || end > best->end) best = Found{end, key.step};
+    if (!best || end > best->end) best = Found{end, key.step, key.unit};
   }
   return best;
 }
@@ -100,13 +113,15 @@ std::optional<Found> keyAt(std::string_view plain, std::size_t at) {
 std::optional<double> unitFactor(std::string_view unit, bool step) {
   if (unit.empty()) return 1.0;
   if (step) {
-    const std::optional<UnitMeaning> meaning = unitFromText(unit);
+    std::optional<UnitMeaning> meaning = unitFromText(unit);
+    if (!meaning && unit == "uS") meaning = unitFromText("us");  // of oscilloscopes
     return meaning && meaning->kind == UnitKind::Time ? std::optional<double>(meaning->toSi) : std::nullopt;
   }
   const std::string small = plainLine(unit);
   for (const std::string_view one : {"hz", "s/s", "sa/s", "sps", "1/s", "samples/s", "samples/sec", "samples/second"}) {
     if (small == one) return 1.0;
     if (small == "k" + std::string(one)) return 1e3;
+    if (one == "s/s" && small == "s/min") return 1.0 / 60.0;
     if (unit.front() == 'M' && small == "m" + std::string(one)) return 1e6;
   }
   return std::nullopt;
@@ -133,8 +148,31 @@ std::string_view takeBracket(std::string_view& rest) {
   return unit;
 }
 
-// The number `rest` begins with. "25,600" is none: it may be a number of two parts, or two of one.
-std::optional<double> takeValue(std::string_view& rest, const CellFormat& cells) {
+// The word behind a number. In a cell of its own it may be something else: then the number has no unit.
+std::string_view takeUnit(std::string_view rest, bool step) {
+  skipAll(rest, " ");  // a tab may part cells
+  const bool apart = skipOne(rest, "\",;|\t");
+  skipAll(rest, " \t\",;|[(");
+  std::string_view unit = rest.substr(0, rest.find_first_of(" \t\",;|])}"));
+  while (unit.ends_with('.')) unit.remove_suffix(1);
+  return apart && !unitFactor(unit, step) ? std::string_view() : unit;
+}
+
+struct Value {
+  std::optional<double> number;
+  std::string unclear;  // as it stands, where it may be a fraction or have thousands set apart
+};
+
+// "10,000 Hz" in a table whose columns commas part: no decimal sign, and with its unit no two cells.
+bool isThousands(std::string_view token, std::string_view rest, const CellFormat& cells) {
+  const bool unit = !rest.empty() && rest.find_first_not_of(kBlank) != std::string_view::npos &&
+                    std::string_view("\",;|\t").find(rest.front()) == std::string_view::npos &&
+                    unitFactor(takeUnit(rest, false), false).has_value();
+  return cells.delimiter == ',' && !cells.decimalComma && isGrouped(token, ',') && unit;
+}
+
+// The number `rest` begins with. "25,600" may be a number of two parts, two numbers, or thousands set apart.
+Value takeValue(std::string_view& rest, const CellFormat& cells) {
   std::size_t end = 0;
   while (end < rest.size()) {
     const char c = rest[end];
@@ -146,23 +184,21 @@ std::optional<double> takeValue(std::string_view& rest, const CellFormat& cells)
   std::string_view token = rest.substr(0, end);
   while (token.ends_with(',') || token.ends_with('.')) token.remove_suffix(1);
   rest.remove_prefix(token.size());
+  if (isThousands(token, rest, cells)) {
+    std::string plain(token);
+    plain.erase(std::remove(plain.begin(), plain.end(), ','), plain.end());
+    return {parseNumber(plain, false), ""};
+  }
+  const bool unclear = isGrouped(token, ',') || (cells.decimalComma && isGrouped(token, '.'));
   if (rest.starts_with('.')) rest.remove_prefix(1);
-  if (token.find(',') == std::string_view::npos) return parseNumber(token, false);
-  return cells.decimalComma && !isGrouped(token, ',') ? parseNumber(token, true) : std::nullopt;
-}
-
-// The word behind a number. In a cell of its own it may be something else: then the number has no unit.
-std::string_view takeUnit(std::string_view rest, bool step) {
-  skipAll(rest, kBlank);
-  const bool apart = skipOne(rest, "\",;|\t");
-  skipAll(rest, " \t\",;|[(");
-  std::string_view unit = rest.substr(0, rest.find_first_of(" \t\",;|])"));
-  while (unit.ends_with('.')) unit.remove_suffix(1);
-  return apart && !unitFactor(unit, step) ? std::string_view() : unit;
+  if (unclear) return {std::nullopt, std::string(token)};
+  if (token.find(',') == std::string_view::npos) return {parseNumber(token, false), ""};
+  return {cells.decimalComma ? parseNumber(token, true) : std::nullopt, ""};
 }
 
 // What follows a key: a unit in brackets, a sign, one more word with a colon ("Analog:"), the number, its unit.
-std::optional<double> rateBehind(std::string_view rest, bool step, const CellFormat& cells) {
+void takeRateBehind(std::string_view rest, const Found& key, const CellFormat& cells, StatedRates& rates) {
+  if (rest.starts_with("\":")) rest.remove_prefix(1);  // "rate": 10000
   std::string_view unit = takeBracket(rest);
   skipAll(rest, kBlank);
   if (skipOne(rest, ":=,;|\t") || rest.starts_with('"')) {
@@ -171,43 +207,47 @@ std::optional<double> rateBehind(std::string_view rest, bool step, const CellFor
     const std::size_t number = rest.find_first_of("0123456789");
     if (colon != std::string_view::npos && number == colon + 1) rest.remove_prefix(number);
   }
-  const std::optional<double> value = takeValue(rest, cells);
-  if (!value || !(*value > 0.0) || !std::isfinite(*value)) return std::nullopt;
-  if (unit.empty()) unit = takeUnit(rest, step);
-  const std::optional<double> factor = unitFactor(unit, step);
-  if (!factor) return std::nullopt;
-  return step ? 1.0 / (*value * *factor) : *value * *factor;
+  const Value value = takeValue(rest, cells);
+  if (unit.empty()) unit = takeUnit(rest, key.step);
+  const std::optional<double> factor = unitFactor(unit, key.step);
+  if (!factor || (key.unit && unit.empty())) return;
+  if (!value.unclear.empty()) rates.unclear = value.unclear;
+  if (!value.number || !(*value.number > 0.0) || !std::isfinite(*value.number)) return;
+  rates.hertz.push_back(key.step ? 1.0 / (*value.number * *factor) : *value.number * *factor);
+}
+
+void takeRatesInLine(std::string_view line, const CellFormat& cells, StatedRates& rates) {
+  const std::string plain = plainLine(line);
+  for (std::size_t at = 0; at < plain.size(); ++at) {
+    const std::optional<Found> key = keyAt(plain, at);
+    if (!key) continue;
+    takeRateBehind(line.substr(key->end), *key, cells, rates);
+    at = key->end - 1;
+  }
 }
 
 }  // namespace
 
-std::vector<double> ratesInLine(std::string_view line, const CellFormat& cells) {
-  const std::string plain = plainLine(line);
-  std::vector<double> rates;
-  for (std::size_t at = 0; at < plain.size(); ++at) {
-    const std::optional<Found> key = keyAt(plain, at);
-    if (!key) continue;
-    if (const auto rate = rateBehind(line.substr(key->end), key->step, cells)) rates.push_back(*rate);
-    at = key->end - 1;
-  }
+StatedRates ratesInLine(std::string_view line, const CellFormat& cells) {
+  StatedRates rates;
+  takeRatesInLine(line, cells, rates);
   return rates;
 }
 
-std::vector<double> ratesInLines(std::span<const std::string> lines, const CellFormat& cells) {
-  std::vector<double> rates;
+StatedRates ratesInLines(std::span<const std::string> lines, const CellFormat& cells) {
+  StatedRates rates;
   std::vector<std::string_view> names;
   std::vector<std::string_view> below;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::vector<double> here = ratesInLine(lines[i], cells);
-    rates.insert(rates.end(), here.begin(), here.end());
-    if (!here.empty() || i + 1 == lines.size()) continue;
+    const std::size_t before = rates.hertz.size();
+    takeRatesInLine(lines[i], cells, rates);
+    if (rates.hertz.size() > before || i + 1 == lines.size()) continue;
     splitCells(lines[i], cells.delimiter, names);
     splitCells(lines[i + 1], cells.delimiter, below);
     for (std::size_t k = 1; k < std::min(names.size(), below.size()); ++k) {
       const std::string plain = plainLine(names[k]);
       const std::optional<Found> key = plain.empty() ? std::nullopt : keyAt(plain, 0);
-      if (!key || key->end != plain.size()) continue;
-      if (const auto rate = rateBehind("=" + std::string(below[k]), key->step, cells)) rates.push_back(*rate);
+      if (key && key->end == plain.size()) takeRateBehind("=" + std::string(below[k]), *key, cells, rates);
     }
   }
   return rates;

@@ -12,10 +12,15 @@
 
 namespace stillcut::record {
 
-// The rates in one line that is no row [Hz]. A number that could be read in two ways counts as none.
-std::vector<double> ratesInLine(std::string_view line, const CellFormat& cells);
+struct StatedRates {
+  std::vector<double> hertz;
+  std::string unclear;  // "102.400" beside decimal commas: a number that could be read in two ways; empty: none is
+};
+
+// The rates in one line that is no row.
+StatedRates ratesInLine(std::string_view line, const CellFormat& cells);
 
 // The same of several lines; a key without a number behind it has it in the same cell of the next line.
-std::vector<double> ratesInLines(std::span<const std::string> lines, const CellFormat& cells);
+StatedRates ratesInLines(std::span<const std::string> lines, const CellFormat& cells);
 
 }  // namespace stillcut::record

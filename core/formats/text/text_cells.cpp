@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "core/formats/utf_text.h"
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
@@ -108,6 +109,14 @@ std::optional<double> unusualNumber(std::string_view text) {
 
 }  // namespace
 
+std::string shownText(std::string_view text) {
+  constexpr std::size_t kShown = 40;
+  std::string clean(cutUtf8(utf8Of(trimmed(text)), kShown));
+  std::replace_if(
+      clean.begin(), clean.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  return clean;
+}
+
 bool isGrouped(std::string_view cell, char sign) {
   if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
   const std::size_t at = cell.find(sign);
@@ -118,6 +127,46 @@ bool isGrouped(std::string_view cell, char sign) {
   }
   return true;
 }
+
+namespace {
+
+// A sign that parts thousands and can be no decimal sign: blanks of every width, an apostrophe.
+std::size_t plainGroupSign(std::string_view text) {
+  for (const std::string_view sign : {" ", "'", "\xC2\xA0", "\xE2\x80\x89", "\xE2\x80\xAF", "\xE2\x80\x99"}) {
+    if (text.starts_with(sign)) return sign.size();
+  }
+  return 0;
+}
+
+// "-1,023.11" where decimals have a point, "-1.023,11" where they have a comma, "1 023,11": with both signs in it, or
+// with one that is none of decimals, a cell can be read in one way alone. The number without them; empty: it is none
+// of these.
+std::string withoutThousands(std::string_view cell, bool decimalComma) {
+  const char decimal = decimalComma ? ',' : '.';
+  const char other = decimalComma ? '.' : ',';
+  const std::size_t point = cell.find(decimal);
+  std::string plain;
+  std::size_t digits = 0, groups = 0;
+  for (std::size_t i = 0; i < std::min(point, cell.size());) {
+    if (isDigit(cell[i]) || (i == 0 && (cell[i] == '-' || cell[i] == '+'))) {
+      digits += isDigit(cell[i]) ? 1 : 0;
+      plain += cell[i++];
+      continue;
+    }
+    const std::size_t sign = cell[i] == other && point != std::string_view::npos ? 1 : plainGroupSign(cell.substr(i));
+    const bool blank = cell[i] == ' ' && point == std::string_view::npos;  // may part two columns
+    if (sign == 0 || blank || digits == 0 || digits > 3 || (groups > 0 && digits != 3)) return "";
+    ++groups;
+    digits = 0;
+    i += sign;
+  }
+  if (groups == 0 || digits != 3) return "";
+  if (point == std::string_view::npos) return plain;
+  const std::string_view decimals = cell.substr(point + 1);
+  return isAllDigits(decimals) ? plain + "." + std::string(decimals) : "";
+}
+
+}  // namespace
 
 std::optional<double> parseNumber(std::string_view cell, bool decimalComma) {
   constexpr std::size_t kLongest = 64;
@@ -130,7 +179,9 @@ std::optional<double> parseNumber(std::string_view cell, bool decimalComma) {
   }
   const char* last = text.data() + cell.size();
   if (const std::optional<double> value = plainNumber(text.data(), last)) return value;
-  return unusualNumber({text.data(), cell.size()});
+  if (const std::optional<double> value = unusualNumber({text.data(), cell.size()})) return value;
+  const std::string plain = withoutThousands(cell, decimalComma);
+  return plain.empty() ? std::nullopt : plainNumber(plain.data(), plain.data() + plain.size());
 }
 
 }  // namespace stillcut::record

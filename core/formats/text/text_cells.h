@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,8 +21,12 @@ void splitCells(std::string_view line, char delimiter, std::vector<std::string_v
 // some loggers write between their buffers.
 bool isSkippedLine(std::string_view line);
 // A number as programs print it: sign, decimals, exponents of two or three digits, Fortran's "1.5D-03" and "1.5-103",
-// "nan" and "inf" too. Where the decimal sign is a comma, "1.234" is none: it may stand for 1234.
+// "nan" and "inf" too. Where the decimal sign is a comma, "1.234" is none: it may stand for 1234; "1.234,5" and "1
+// 234,5" stand for nothing else.
 std::optional<double> parseNumber(std::string_view cell, bool decimalComma);
+
+// What a message shows of a line or a cell: at most 40 bytes, fit for one line.
+std::string shownText(std::string_view text);
 
 // "1,234" or "12,345,678" with `sign` ',': thousands set apart, or decimals; the cell alone does not say which.
 bool isGrouped(std::string_view cell, char sign);

@@ -26,14 +26,18 @@ bool isSpeed(const TextColumn& column) {
          meaningOfName(column.name) == NameMeaning::SpindleSpeed;
 }
 
-// Everything but the question of spindle speed.
-bool isSignal(const TextColumn& column, bool unitsGiven) {
-  if (column.stamps || column.words || column.rowNumber) return false;
+// Everything but the question of spindle speed; empty: it is a signal.
+Message whyNoSignal(const TextColumn& column, bool unitsGiven) {
+  if (column.stamps) return message("it holds times");
+  if (column.words) return message("it holds words");
+  if (column.rowNumber) return message("it counts the rows");
   const NameMeaning meaning = meaningOfName(column.name);
-  if (meaning == NameMeaning::NoSignal || (meaning == NameMeaning::Time && column.unit.empty())) return false;
-  if (unitsGiven && column.unit.empty()) return false;
+  if (meaning == NameMeaning::NoSignal) return message("its name says that it is no vibration");
+  if (meaning == NameMeaning::Time && column.unit.empty()) return message("it holds times");
+  if (unitsGiven && column.unit.empty()) return message("it has no unit, where other columns have one");
   const std::optional<UnitMeaning> unit = unitFromText(column.unit);
-  return !unit || unit->kind == UnitKind::Sensor || unit->kind == UnitKind::Voltage;
+  if (!unit || unit->kind == UnitKind::Sensor || unit->kind == UnitKind::Voltage) return {};
+  return message("its unit '%1' is none of a vibration", column.unit);
 }
 
 TextChannels choose(const TextLayout& layout, bool speed) {
@@ -42,11 +46,14 @@ TextChannels choose(const TextLayout& layout, bool speed) {
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     const TextColumn& column = layout.columns[i];
     if (static_cast<int>(i) == layout.timeColumn || column.empty) continue;
-    if (isSignal(column, unitsGiven) && isSpeed(column) == speed) {
+    Message why = whyNoSignal(column, unitsGiven);
+    if (why.empty() && isSpeed(column) && !speed) why = message("it is a speed of the spindle");
+    if (why.empty() && isSpeed(column) == speed) {
       chosen.columns.push_back(static_cast<int>(i));
       chosen.channels.push_back(channelOf(column, static_cast<int>(i)));
     } else {
       chosen.skipped.push_back(column.name.empty() ? "column " + std::to_string(i) : column.name);
+      chosen.skippedWhy.push_back(std::move(why));
     }
   }
   return chosen;

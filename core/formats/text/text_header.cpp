@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/formats/time_stamps.h"
+#include "core/units/time_names.h"
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
@@ -50,27 +51,23 @@ bool isUnitsLine(const Cells& cells, const TextLayout& layout) {
   return true;
 }
 
-// "time_ms", "Time us", "t_s", "seconds_elapsed", "milliseconds": the unit of a time that is part of its name.
-std::string timeUnitInName(const std::string& name) {
-  if (meaningOfName(name) != NameMeaning::Time) return "";
-  constexpr std::string_view kGaps = "_ ";
-  const auto unit = [](const std::string& word) {
-    const std::optional<UnitMeaning> meaning = unitFromText(word);
-    return meaning && meaning->kind == UnitKind::Time && word != "min" ? word : "";
-  };
-  const std::size_t last = name.find_last_of(kGaps);
-  if (last == std::string::npos) return name.size() > 1 ? unit(name) : "";
-  const std::string end = unit(name.substr(last + 1));
-  const std::string begin = name.substr(0, name.find_first_of(kGaps));
-  return end.empty() && begin.size() > 1 ? unit(begin) : end;
-}
-
 // "#time", "% Time (s)": the sign of a comment, not part of the first name.
 std::string_view withoutCommentSign(std::string_view line) {
   const std::size_t at = line.find_first_not_of("#%/! ");
   if (at == 0 || at == std::string_view::npos) return line;
   const auto c = static_cast<unsigned char>(line[at]);
   return std::isalpha(c) != 0 || c >= 0x80 || c == '"' ? line.substr(at) : line;
+}
+
+// "t0 = -4.5s" beside the names is none of them.
+void dropStatements(Cells& names, std::size_t columns) {
+  while (names.size() > columns && (names.back().empty() || names.back().find('=') != std::string_view::npos)) {
+    const bool statement = !names.back().empty();
+    const bool before = std::any_of(names.begin(), names.end(),
+                                    [](std::string_view cell) { return cell.find('=') != std::string_view::npos; });
+    if (!statement && !before) return;
+    names.pop_back();
+  }
 }
 
 bool isBlank(const std::string& line) {
@@ -92,23 +89,57 @@ std::optional<std::size_t> lineAbove(std::span<const std::string> lines, std::si
   return std::nullopt;
 }
 
+// Numbers over every column with something in it, and a word over one without: "Nr;0;1;2", "Werte;90000;90000".
+bool isCountLine(const Cells& cells, const TextLayout& layout) {
+  bool word = false;
+  for (std::size_t k = 0; k < std::min(cells.size(), layout.columns.size()); ++k) {
+    if (cells[k].empty()) continue;
+    const bool number = parseNumber(cells[k], layout.cells.decimalComma).has_value();
+    if (number == layout.columns[k].empty) return false;
+    word = word || !number;
+  }
+  return word;
+}
+
 std::optional<Header> findHeader(std::span<const std::string> lines, std::size_t firstData, const TextLayout& layout) {
   const auto cellsOf = [&](std::size_t line) {
     Cells cells;
     splitCells(withoutCommentSign(lines[line]), layout.cells.delimiter, cells);
+    dropStatements(cells, layout.columns.size());
     return cells;
   };
+  // Campbell's loggers: names, units, and what was done with the samples.
+  constexpr std::size_t kCampbellRows = 4;
+  if (firstData == kCampbellRows && trimmed(lines[0]).starts_with("TOA5")) return Header{cellsOf(1), cellsOf(2), 2};
   bool apart = false;
-  const std::optional<std::size_t> nearest = lineAbove(lines, firstData, apart);
+  std::optional<std::size_t> nearest = lineAbove(lines, firstData, apart);
+  while (nearest && isCountLine(cellsOf(*nearest), layout)) nearest = lineAbove(lines, *nearest, apart);
   if (!nearest) return std::nullopt;
   Header header{cellsOf(*nearest), {}, *nearest + 1};
   if (!isHeaderLine(header.names, layout) || (apart && header.names.size() < 2)) return std::nullopt;
-  if (!isUnitsLine(header.names, layout)) return header;
-  const std::optional<std::size_t> above = lineAbove(lines, *nearest, apart);
-  if (!above) return header;
-  Cells names = cellsOf(*above);
-  if (!isHeaderLine(names, layout) || names.size() < static_cast<std::size_t>(layout.minCells)) return header;
-  return Header{std::move(names), std::move(header.names), *above + 1};
+  std::size_t line = *nearest;
+  while (isUnitsLine(header.names, layout)) {
+    const std::optional<std::size_t> above = lineAbove(lines, line, apart);
+    if (!above) break;
+    Cells names = cellsOf(*above);
+    if (!isHeaderLine(names, layout) || names.size() < static_cast<std::size_t>(layout.minCells)) break;
+    header =
+        Header{std::move(names), header.units.empty() ? std::move(header.names) : std::move(header.units), *above + 1};
+    line = *above;
+    if (!layout.columns.front().empty) break;  // a key before each line: there may be units of several kinds
+  }
+  return header;
+}
+
+// "Unit:(ms)" above names of which the first is left out: OWON's oscilloscopes.
+std::string unitOfUnnamed(std::span<const std::string> lines, const Header& header) {
+  if (header.line < 2 || header.names.empty() || !header.names.front().empty()) return "";
+  const std::string_view above = trimmed(lines[header.line - 2]);
+  constexpr std::string_view kUnit = "Unit:";
+  if (!above.starts_with(kUnit)) return "";
+  const std::optional<UnitMeaning> unit = unitFromText(above.substr(kUnit.size()));
+  if (!unit || unit->kind != UnitKind::Time) return "";
+  return splitNameAndUnit("x " + std::string(trimmed(above.substr(kUnit.size())))).unit;
 }
 
 bool allWhole(std::span<const std::string> lines, std::size_t firstData, const TextLayout& layout) {
@@ -163,8 +194,10 @@ Status checkCount(std::span<const std::string> lines, std::size_t firstData, con
 
 Status readTextHeader(std::span<const std::string> lines, std::size_t firstData, TextLayout& layout,
                       const std::string& where) {
-  const std::optional<Header> header = findHeader(lines, firstData, layout);
+  std::optional<Header> header = findHeader(lines, firstData, layout);
   if (!header) return Done{};
+  const std::string unnamed = unitOfUnnamed(lines, *header);
+  if (!unnamed.empty()) header->names.front() = "time";
   if (isUnnamedRowNumber(lines, firstData, *header, layout)) {
     layout.columns.front().rowNumber = true;
   } else if (const Status s = checkCount(lines, firstData, *header, layout, where); !s) {
@@ -180,7 +213,9 @@ Status readTextHeader(std::span<const std::string> lines, std::size_t firstData,
       const std::string cell(header->units[i]);
       const NameAndUnit bracketed = splitNameAndUnit("x " + cell);
       column.unit = bracketed.unit.empty() ? cell : bracketed.unit;
+      if (column.unit == "TS" || column.unit == "RN") column.unit.clear();  // Campbell: a time stamp, a row number
     }
+    if (i == 0 && !unnamed.empty()) column.unit = unnamed;
   }
   layout.maxCells = std::max(layout.maxCells, static_cast<int>(header->names.size()));
   return Done{};

@@ -7,6 +7,7 @@
 #include "core/formats/text/rate_words.h"
 #include "core/formats/text/text_header.h"
 #include "core/formats/text/text_times.h"
+#include "core/formats/time_stamps.h"
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
@@ -58,6 +59,7 @@ Status takeSteps(const Cells& cells, TextLayout& layout, const std::string& wher
 Status readLabViewHeader(std::span<const std::string> lines, std::size_t firstData, TextLayout& layout,
                          const std::string& where) {
   layout.kind = "LabVIEW measurement text";
+  layout.timeUnitAssumed = false;  // X_Value is in seconds
   Cells cells;
   for (std::size_t i = 0; i < firstData; ++i) {
     splitCells(lines[i], layout.cells.delimiter, cells);
@@ -84,31 +86,62 @@ void findEmptyColumns(std::span<const std::string> lines, const DataRows& data, 
 
 // Several numbers that differ tell nothing.
 void readRate(std::span<const std::string> header, TextLayout& layout) {
-  const std::vector<double> rates = ratesInLines(header, layout.cells);
+  const StatedRates stated = ratesInLines(header, layout.cells);
+  const std::vector<double>& rates = stated.hertz;
+  layout.unclearRate = stated.unclear;
   const auto [least, most] = std::minmax_element(rates.begin(), rates.end());
   if (!rates.empty() && *most - *least <= kSameRate * *most) layout.rateFromHeader = Hertz(rates.front());
 }
 
 }  // namespace
 
-Result<TextLayout> detectTextLayout(std::span<const std::string> lines, bool complete, const std::string& where) {
-  if (lines.empty()) return Error{where, message("the file is empty")};
-  const DataRows data = findDataRows(lines, complete);
-  if (!data.found) {
-    if (const std::string cell = unclearPoint(lines); !cell.empty()) {
-      return Error{where, message("it is not clear whether '%1' has a decimal point or thousands set apart", cell),
-                   message("export with decimal points and without signs between thousands")};
-    }
-    return Error{where, message("no rows of numbers found in its first %1 lines", std::to_string(lines.size())),
-                 message("is this a recording?")};
+namespace {
+
+// The line in the middle, where rows would be, and its first cell that is no number.
+Error noRows(std::span<const std::string> lines, const std::string& where) {
+  const std::size_t middle = lines.size() / 2;
+  const auto from = lines.begin() + static_cast<std::ptrdiff_t>(middle);
+  const auto filled = std::find_if(from, lines.end(), [](const std::string& line) { return !trimmed(line).empty(); });
+  const std::string none;
+  const std::string& line = filled == lines.end() ? none : *filled;
+  std::string cell;
+  for (const char delimiter : {'\t', ';', ',', ' '}) {
+    Cells cells;
+    splitCells(line, delimiter, cells);
+    if (cells.size() < 2 && delimiter != ' ') continue;
+    const auto word = std::find_if(cells.begin(), cells.end(), [](std::string_view c) {
+      return !c.empty() && !parseNumber(c, false) && !parseNumber(c, true) && !parseTimeStamp(c);
+    });
+    if (word != cells.end()) cell = shownText(*word);
+    break;
   }
+  const Message cause = message("no rows of numbers found in its first %1 lines", std::to_string(lines.size()));
+  if (cell.empty()) return Error{where, cause, message("is this a recording?")};
+  return Error{where, cause,
+               message("in line %1, '%2', '%3' is no number; is this a recording?",
+                       std::to_string(filled - lines.begin() + 1), shownText(line), cell)};
+}
+
+// Names or units that the rows themselves hold.
+void takeWordsOfForm(TextLayout& layout) {
+  for (std::size_t k = 0; k < std::min(layout.columns.size(), layout.form.words.size()); ++k) {
+    TextColumn& column = layout.columns[k];
+    std::string& told = layout.form.kind == LineForm::Kind::Labels ? column.name : column.unit;
+    if (told.empty()) told = layout.form.words[k];
+  }
+}
+
+Result<TextLayout> layoutOf(std::span<const std::string> lines, const DataRows& data, const LineForm& form,
+                            const std::string& where) {
   TextLayout layout;
+  layout.form = form;
   layout.cells = data.format;
   layout.firstDataLine = static_cast<std::int64_t>(data.first) + 1;
   layout.columns.resize(data.cells);
   findEmptyColumns(lines, data, layout);
   if (const Status s = checkUnclearNumbers(lines, data, where); !s) return s.error();
   if (const Status s = readTextHeader(lines, data.first, layout, where); !s) return s.error();
+  takeWordsOfForm(layout);
   findTimeColumn(lines, data, layout);
   // Header beside the first rows counts as header too.
   readRate(lines.first(std::min(data.first + kBesideRows, lines.size())), layout);
@@ -117,6 +150,29 @@ Result<TextLayout> detectTextLayout(std::span<const std::string> lines, bool com
     if (const Status s = readLabViewHeader(lines, data.first, layout, where); !s) return s.error();
   }
   return layout;
+}
+
+}  // namespace
+
+Result<TextLayout> detectTextLayout(std::span<const std::string> lines, bool complete, const std::string& where) {
+  if (lines.empty()) return Error{where, message("the file is empty")};
+  const DataRows data = findDataRows(lines, complete);
+  if (data.found) return layoutOf(lines, data, {}, where);
+  if (const std::optional<LineForm> form = findLineForm(lines)) {
+    std::vector<std::string> formed;
+    for (std::string_view line : lines) {
+      std::string store;
+      form->apply(line, store);
+      formed.emplace_back(line);
+    }
+    const DataRows rows = findDataRows(formed, complete);
+    if (rows.found) return layoutOf(formed, rows, *form, where);
+  }
+  if (const std::string cell = unclearPoint(lines); !cell.empty()) {
+    return Error{where, message("it is not clear whether '%1' has a decimal point or thousands set apart", cell),
+                 message("export with decimal points and without signs between thousands")};
+  }
+  return noRows(lines, where);
 }
 
 }  // namespace stillcut::record

@@ -11,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/formats/recording_reader.h"
+#include "core/formats/text/line_form.h"
 #include "core/formats/text/text_cells.h"
 
 namespace stillcut::record {
@@ -39,6 +40,8 @@ struct TextLayout {
   std::string unknownTimeUnit;          // as the file spells it; empty: none, or known
   std::string otherTime;                // a column of times in other steps than the time column; empty: none
   bool days = false;                    // times without a unit that look like days, as spreadsheets count them
+  LineForm form;                        // what is done with a line before it is cut into cells
+  std::string unclearRate;              // of the header, as it stands there; empty: none, or clear
   std::optional<Hertz> rateFromHeader;  // where the header declares it, and never in two ways
 };
 
@@ -50,6 +53,7 @@ struct TextChannels {
   std::vector<int> columns;
   std::vector<RecordedChannel> channels;
   std::vector<std::string> skipped;
+  std::vector<Message> skippedWhy;  // of each of them
 };
 Result<TextChannels> chooseTextChannels(const TextLayout& layout, const ReadOptions& options, const std::string& where);
 

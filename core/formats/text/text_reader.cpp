@@ -17,6 +17,8 @@ constexpr int kMostColumns = 256;
 constexpr double kMostBad = 0.1;   // of the rows may hold no number: more, and this is no recording with a few gaps
 constexpr double kShortest = 0.5;  // of the rows a column must reach to, or it is left out
 
+constexpr double kManyRepeats = 10.0;  // one row in so many, or more, has the time of the row before it
+
 constexpr double kLongestStep = 1.001;  // [s] that numbers without a unit are taken to be
 
 Message evenly() {
@@ -101,6 +103,7 @@ Status TextReader::scan(const ReadOptions& options) {
   format_.kind = layout_.kind;
   format_.channels = channels_.channels;
   format_.skipped = channels_.skipped;
+  format_.skippedWhy = channels_.skippedWhy;
   if (const Status s = settleRate(options); !s) return s.error();
   makeNotes();
   return rows_->rewind();
@@ -143,8 +146,10 @@ Status TextReader::findStep() {
     if (times.counts().firstBad) return *times.counts().firstBad;
     return Error{path_, message("one row of numbers is no recording")};
   }
-  step_ = median(std::move(steps));
-  if (!(step_ > 0.0)) return Error{path_, message("the time column does not grow"), evenly()};
+  const auto repeated = std::count(steps.begin(), steps.end(), 0.0);
+  step_ = median(steps);
+  coarse_ = layout_.rateFromHeader && kManyRepeats * static_cast<double>(repeated) > static_cast<double>(steps.size());
+  if (!(step_ > 0.0) && !coarse_) return Error{path_, message("the time column does not grow"), evenly()};
   return Done{};
 }
 
@@ -153,6 +158,10 @@ Status TextReader::pass() {
   if (end_ > 0) rows_->setEnd(end_);
   if (timed_) {
     if (const Status s = findStep(); !s) return s.error();
+    if (coarse_) {
+      takeHeaderRate();
+      return pass();
+    }
     rows_->setStep(step_);
   }
   if (const Status s = rows_->rewind(); !s) return s.error();
@@ -168,6 +177,15 @@ Status TextReader::pass() {
       ++evenSteps_;
     }
   }
+}
+
+// Stamps that repeat cannot part the rows, and gaps cannot be seen in them.
+void TextReader::takeHeaderRate() {
+  timed_ = coarse_ = false;
+  format_.notes.push_back(
+      message("its times are too coarse for its rows, several of which share one: they are taken "
+              "as evenly spaced by the rate of its header, %1 Hz",
+              shortNumber(layout_.rateFromHeader->value)));
 }
 
 bool TextReader::settleColumns() {
@@ -198,9 +216,11 @@ bool TextReader::settleColumns() {
 void TextReader::leaveOut(const std::vector<bool>& out) {
   TextChannels kept;
   kept.skipped = channels_.skipped;
+  kept.skippedWhy = channels_.skippedWhy;
   for (std::size_t c = 0; c < out.size(); ++c) {
     if (out[c]) {
       kept.skipped.push_back(channels_.channels[c].info.name);
+      kept.skippedWhy.push_back(message("most of its cells hold no number"));
       format_.notes.push_back(
           message("column '%1' is left out: most of its cells hold no number", channels_.channels[c].info.name));
     } else {
@@ -234,6 +254,11 @@ Status TextReader::settleRate(const ReadOptions& options) {
     return Error{path_, message("the time steps are uneven"), evenly()};
   } else if (stated) {
     format_.rate = *stated;
+  } else if (!layout_.unclearRate.empty()) {
+    return Error{path_,
+                 message("it is not clear whether the rate '%1' of its header is a fraction or has thousands set apart",
+                         layout_.unclearRate),
+                 message("give it with --rate HZ")};
   } else {
     return Error{path_, message("the sampling rate is not known: there is no time column"),
                  message("give it with --rate HZ")};
@@ -241,6 +266,9 @@ Status TextReader::settleRate(const ReadOptions& options) {
   if (timed_ && layout_.timeUnitAssumed && step_ > kLongestStep) {
     return Error{path_, message("its time has no unit and steps of %1", shortNumber(step_)),
                  message("write s, ms, us or ns behind its name, or give --rate HZ")};
+  }
+  if (timed_ && layout_.timeUnitAssumed) {
+    format_.notes.push_back(message("its times have no unit: seconds are assumed"));
   }
   constexpr double kApart = 0.01;
   if (timed_ && stated && std::abs(stated->value - format_.rate.value) > kApart * format_.rate.value) {

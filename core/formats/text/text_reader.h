@@ -30,6 +30,7 @@ class TextReader final : public RecordingReader {
   Status scan(const ReadOptions& options);
   Status checkTime(const ReadOptions& options);
   Status findStep();
+  void takeHeaderRate();
   Status pass();
   // Columns that end early or are mostly empty; true: something has changed, and the rows are to be read again.
   bool settleColumns();
@@ -43,6 +44,7 @@ class TextReader final : public RecordingReader {
   TextChannels channels_;
   RecordingFormat format_;
   bool timed_ = false;     // gaps are looked for
+  bool coarse_ = false;    // so many rows share a time that those cannot part them
   double step_ = 0.0;      // typical time between rows [s]; 0 until it is known
   double evenTime_ = 0.0;  // over all steps without a gap [s]
   std::int64_t evenSteps_ = 0;

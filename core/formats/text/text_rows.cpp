@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/formats/text/rate_words.h"
-#include "core/formats/utf_text.h"
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
@@ -16,14 +15,6 @@ constexpr double kLargest = std::numeric_limits<float>::max();
 
 Message evenly() {
   return message("give --rate HZ to read the rows as evenly spaced");
-}
-
-std::string shown(std::string_view text) {
-  constexpr std::size_t kShown = 40;
-  std::string clean(cutUtf8(utf8Of(trimmed(text)), kShown));
-  std::replace_if(
-      clean.begin(), clean.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  return clean;
 }
 
 }  // namespace
@@ -63,6 +54,7 @@ Result<bool> TextRows::nextLine(std::string_view& line) {
     if (!more || !*more) return more;
     if (isSkippedLine(line) || (timed_ && line.starts_with('#'))) continue;
     if (line.starts_with("***End_of_Header***")) return anotherSegment();
+    layout_.form.apply(line, formed_);
     const bool header = line.starts_with("Channels") && line.size() > 8 && line[8] == layout_.cells.delimiter;
     if (!header) return true;
     if (const Status s = passSegmentHeader(line); !s) return s.error();
@@ -103,7 +95,7 @@ Result<bool> TextRows::next() {
     }
     splitCells(line, layout_.cells.delimiter, cells_);
     const double before = row_.time;
-    const Kind kind = parse();
+    const Kind kind = parse(line);
     if (kind == Kind::Odd) {
       setOddAside(line);
       continue;
@@ -166,19 +158,20 @@ void TextRows::countBadCells() {
 void TextRows::remember(int column, std::string_view cell) {
   if (counts_.firstBad) return;
   const std::string& name = layout_.columns[static_cast<std::size_t>(column)].name;
-  counts_.firstBad = Error{
-      lines_->where(),
-      message("column %1 holds %2", name.empty() ? std::to_string(column) : "'" + name + "'", "'" + shown(cell) + "'"),
-      message("a finite number was expected")};
+  counts_.firstBad = Error{lines_->where(),
+                           message("column %1 holds %2", name.empty() ? std::to_string(column) : "'" + name + "'",
+                                   "'" + shownText(cell) + "'"),
+                           message("a finite number was expected")};
 }
 
 // A line of words, or of another number of columns, is odd: below the last row it is a footer.
-TextRows::Kind TextRows::parse() {
+TextRows::Kind TextRows::parse(std::string_view line) {
   const auto count = static_cast<int>(cells_.size());
   if (count < layout_.minCells || count > layout_.maxCells) return Kind::Odd;
   const bool good = takeNumbers();
   if (!good) {
-    if (!holdsNumber()) return Kind::Odd;
+    // "Sampling rate,10000" and what stands below it.
+    if (!holdsNumber() || odd_ > 0 || !ratesInLine(line, layout_.cells).hertz.empty()) return Kind::Odd;
     countBadCells();
   }
   if (!timed_) return good ? Kind::Good : Kind::Bad;
@@ -199,15 +192,15 @@ void TextRows::setOddAside(std::string_view line) {
   if (!firstOdd_) {
     const Message cause = wrongCount ? message("has %1 columns where %2 were expected", std::to_string(count),
                                                std::to_string(layout_.minCells))
-                                     : message("'%1' is no row of numbers", shown(line));
+                                     : message("'%1' is no row of numbers", shownText(line));
     firstOdd_ = Error{lines_->where(), cause, message("a damaged or truncated file")};
-    counts_.footer = Error{lines_->where(), message("'%1'", shown(line))};
+    counts_.footer = Error{lines_->where(), message("'%1'", shownText(line))};
   }
   oddCount_ = oddCount_ || wrongCount;
   oddNumbers_ = oddNumbers_ || std::all_of(cells_.begin(), cells_.end(), [this](std::string_view cell) {
                   return cell.empty() || parseNumber(cell, layout_.cells.decimalComma).has_value();
                 });
-  const std::vector<double> rates = ratesInLine(line, layout_.cells);
+  const std::vector<double> rates = ratesInLine(line, layout_.cells).hertz;
   oddRates_.insert(oddRates_.end(), rates.begin(), rates.end());
   oddLine_ = lines_->number();
   ++odd_;

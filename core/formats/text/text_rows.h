@@ -61,7 +61,7 @@ class TextRows {
   Result<bool> nextLine(std::string_view& line);
   Status passSegmentHeader(std::string_view& line);
   Error anotherSegment() const;
-  Kind parse();
+  Kind parse(std::string_view line);
   bool takeNumbers();
   bool holdsNumber() const;
   void countBadCells();
@@ -81,6 +81,7 @@ class TextRows {
 
   std::unique_ptr<LineReader> lines_;
   std::optional<TimeCells> times_;
+  std::string formed_;  // the line at hand, where it takes another form
   std::vector<std::string_view> cells_;
   TextRow row_;
   TextRowCounts counts_;

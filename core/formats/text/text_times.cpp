@@ -8,6 +8,7 @@
 
 #include "core/formats/time_stamps.h"
 #include "core/formats/wall_clock.h"
+#include "core/units/time_names.h"
 #include "core/units/unit_names.h"
 
 namespace stillcut::record {
@@ -114,17 +115,6 @@ void findUnnamed(std::span<const std::string> lines, const DataRows& rows, TextL
   if (!first->rowNumber) layout.timeColumn = static_cast<int>(index);
 }
 
-constexpr double kEpochFrom = 631'152'000.0, kEpochTo = 4'102'444'800.0;  // [s] since 1970: 1990 to 2100
-
-// Seconds per unit of a number that lies between 1990 and 2100 in exactly one unit since 1970: these ranges do not
-// overlap.
-std::optional<double> epochUnit(double first) {
-  for (const double unit : {1.0, 1e-3, 1e-6, 1e-9}) {
-    if (first * unit >= kEpochFrom && first * unit < kEpochTo) return unit;
-  }
-  return std::nullopt;
-}
-
 // 1990 to 2100 in days since 1900, in steps far below a second.
 bool looksLikeDays(const std::vector<double>& numbers) {
   constexpr double kFrom = 32'874.0, kTo = 73'051.0, kSecond = 1.0 / 86'400.0;
@@ -149,7 +139,11 @@ void settleUnit(std::span<const std::string> lines, const DataRows& rows, TextLa
   if (const auto epoch = epochUnit(numbers.front())) {
     layout.secondsPerTime = *epoch;
     layout.timeUnitAssumed = false;
+    return;
   }
+  // A number of UTC that is none since 1970 may be a time of day without its colons.
+  const std::string name = column.name;
+  if (layout.unknownTimeUnit.empty() && (name == "UTC" || name == "utc")) layout.unknownTimeUnit = name;
 }
 
 // Seconds per unit of a column of times; empty: nothing tells.
@@ -246,7 +240,7 @@ std::optional<double> TimeCells::numberSeconds(std::string_view cell) {
     originPart_ = part;
     begun_ = true;
     const double since1970 = (static_cast<double>(whole) + part) * secondsPerTime_;
-    if (since1970 >= kEpochFrom && since1970 < kEpochTo) started_ns_ = static_cast<std::int64_t>(since1970 * 1e9);
+    if (isEpoch(since1970)) started_ns_ = static_cast<std::int64_t>(since1970 * 1e9);
   }
   // Unsigned, for what a damaged cell holds may overflow.
   const auto steps = static_cast<std::int64_t>(static_cast<std::uint64_t>(whole) - static_cast<std::uint64_t>(origin_));

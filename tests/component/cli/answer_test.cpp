@@ -80,6 +80,19 @@ TEST_F(Answer, AColumnThatIsNoVibrationIsLeftOutByName) {
   EXPECT_EQ(answer["channels"][0]["channel"], 1) << "counted as in the file";
 }
 
+TEST_F(Answer, AColumnThatWasNotReadAtAllIsNamedWithTheReason) {
+  const std::vector<float> signal = cutSignal(true);
+  std::string table = "Sampling rate: 8000 Hz\na (g),Score\n";
+  for (const float value : signal) table += std::to_string(value) + ",0.5\n";
+  folder_.file("score.csv", table);
+  const json leftOut = lines(outcome({"analyze", "score.csv", "--json"}).out).at(0)["answer"]["left_out"];
+  ASSERT_EQ(leftOut.size(), 1U);
+  EXPECT_TRUE(leftOut[0]["channel"].is_null());
+  EXPECT_EQ(leftOut[0]["name"], "Score");
+  EXPECT_THAT(leftOut[0]["reason"].get<std::string>(), HasSubstr("has no unit"));
+  EXPECT_THAT(outcome({"analyze", "score.csv"}).out, HasSubstr("'Score' is left out: it has no unit"));
+}
+
 TEST_F(Answer, SeveralRecordingsAreALineEachAndOneBadOneLosesNoOther) {
   const Outcome all = outcome({"analyze", "stable.wav", "none.wav", "chatter.wav", "--json"});
   EXPECT_EQ(all.exitCode, 2);

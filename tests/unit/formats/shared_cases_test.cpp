@@ -35,18 +35,19 @@ TEST_P(SharedCase, IsReadAsItIs) {
   EXPECT_EQ(all.format.notes.size(), right.notes);
 }
 
+// A note: what is damaged or missing, or that the times have no unit and seconds were assumed.
 INSTANTIATE_TEST_SUITE_P(All, SharedCase,
                          testing::Values(Right{"msec.csv"}, Right{"usec.csv"}, Right{"time_ns.csv"},
-                                         Right{"seconds_elapsed.csv"}, Right{"hash_header.csv"},
+                                         Right{"seconds_elapsed.csv"}, Right{"hash_header.csv", 2, 4000, 1},
                                          Right{"quoted_decimal_comma.csv"}, Right{"sign_blank.txt"}, Right{"pipe.csv"},
-                                         Right{"fortran_d.txt"}, Right{"iso_time.csv"}, Right{"iso_T.csv"},
+                                         Right{"fortran_d.txt", 2, 4000, 1}, Right{"iso_time.csv"}, Right{"iso_T.csv"},
                                          Right{"clock_time.csv"}, Right{"date_and_time.csv"}, Right{"german_date.csv"},
                                          Right{"blank_cell.csv", 2, 3999, 1}, Right{"footer.csv", 2, 4000, 1},
                                          Right{"index_increment.csv"}, Right{"recorder_killed.wav", 2, 4000, 1},
                                          Right{"sox_killed.wav", 2, 4000, 1}, Right{"size_zero.wav", 2, 4000, 1},
                                          Right{"broken_off.wav", 2, 2749, 1}, Right{"abscissa_written.uff", 1},
-                                         Right{"two_rates.uff", 1, 4000, 1}, Right{"txy.mat"}, Right{"struct.mat"},
-                                         Right{"not_closed.h5", 1, 4000, 1}),
+                                         Right{"two_rates.uff", 1, 4000, 1}, Right{"txy.mat", 2, 4000, 1},
+                                         Right{"struct.mat"}, Right{"not_closed.h5", 1, 4000, 1}),
                          [](const auto& instance) {
                            std::string name = instance.param.file;
                            std::replace(name.begin(), name.end(), '.', '_');

@@ -121,6 +121,18 @@ TEST_F(Tdms, SegmentsOfOneChannelAreOneRecording) {
   EXPECT_TRUE(all.format.notes.empty());
 }
 
+TEST_F(Tdms, ALastSegmentThatIsCutOffEndsAllChannelsTogether) {
+  const std::string head = header(
+      {{"/", 10, 0, {{"SampleRate", "", 8000.0}}, 0xFFFFFFFF}, {"/'G'/'x'", 9, 50, {}}, {"/'G'/'y'", 9, 50, {}}});
+  const WholeRecording all = read(segment(kMeta | kNew | kRaw, head, numbers<float>(0, 50) + numbers<float>(0, 50)) +
+                                  segment(kRaw, "", numbers<float>(50, 50) + numbers<float>(50, 20), true));
+  ASSERT_EQ(all.error, "");
+  ASSERT_EQ(all.values.size(), 2U);
+  EXPECT_EQ(all.values[0].size(), 70U);
+  EXPECT_EQ(all.values[1].size(), 70U);
+  EXPECT_EQ(all.format.rate.value, 8000.0);
+}
+
 TEST_F(Tdms, ChannelsSideBySideOrOneAfterTheOtherInEitherOrderOfBytes) {
   const std::vector<Object> both{{"/'G'/'x'", 2, 50, wave(1e-4)}, {"/'G'/'y'", 9, 50, wave(1e-4)}};
   for (const bool big : {false, true}) {
