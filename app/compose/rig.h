@@ -89,6 +89,8 @@ class Rig {
   void start(const pipeline::EngineOptions& options);
   // Threads off, the machine released, the recording closed. An error: the recording stopped before the run did.
   Status stop();
+  // Once finished(): the recording is closed and whole, while link and screen go on.
+  Status closeRecording() { return recorder_ && finished() ? recorder_->finish() : Status(Done{}); }
   bool finished() const { return engine_ && engine_->finished(); }
   // Its latencies and losses; null before start().
   const pipeline::Engine* engine() const { return engine_.get(); }

@@ -3,7 +3,7 @@
 //            [--language en|de|zh] [--page ID] [--log-level info|warning|error|off]
 //   stillcut RECORDING                                                   beside the run, on the page for a file
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
-//   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
+//   stillcut --report RECORDING OUT.pdf|.html|.png|.svg [--size WxH]     a report or the plots, without a display
 //   stillcut --sheet OUT.pdf [--language en|de|zh]                       the machinist's sheet, one page to print
 // Without a scenario or a profile the machine of the last run comes up again, with authority Off. Where nobody
 // has a profile it is the demonstration, the first time by the guide's question; a profile that was never started, or
@@ -101,8 +101,9 @@ Result<Options> parse(const QStringList& arguments) {
   const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Window size."), QStringLiteral("WxH"));
   const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or contrast."),
                                  QStringLiteral("NAME"));
-  const QCommandLineOption report(QStringLiteral("report"),
-                                  QStringLiteral("Write a report (.pdf) or the plots (.png, .svg) of a recording."));
+  const QCommandLineOption report(
+      QStringLiteral("report"),
+      QStringLiteral("Write a report (.pdf, .html) or the plots (.png, .svg) of a recording."));
   const QCommandLineOption sheet(QStringLiteral("sheet"),
                                  QStringLiteral("Write the machinist's sheet, one page to print, and end."),
                                  QStringLiteral("FILE.pdf"));

@@ -10,9 +10,10 @@ Status makeReport(const QStringList& files, QSize pictureSize, ui::UnitSystem un
   if (files.size() != 2)
     return Error{"--report", message("needs a recording and a file to write"), message("--report IN OUT.pdf")};
   const QString& out = files[1];
-  const bool pdf = out.endsWith(QStringLiteral(".pdf"));
+  const bool pdf = out.endsWith(QStringLiteral(".pdf")) || out.endsWith(QStringLiteral(".html"));
   if (!pdf && !out.endsWith(QStringLiteral(".png")) && !out.endsWith(QStringLiteral(".svg"))) {
-    return Error{out.toStdString(), message("cannot be written"), message("the suffix must be .pdf, .png or .svg")};
+    return Error{out.toStdString(), message("cannot be written"),
+                 message("the suffix must be .pdf, .html, .png or .svg")};
   }
   const std::string file = files[0].toStdString();
   auto summary = evaluate::summarizeRecording(file);
@@ -23,7 +24,7 @@ Status makeReport(const QStringList& files, QSize pictureSize, ui::UnitSystem un
     if (!judged) return judged.error();
     summary->answer = sentencesOf(*judged);
   }
-  return pdf ? ui::writeReport(*summary, out, units) : ui::writePicture(*summary, out, pictureSize);
+  return pdf ? ui::writeByName(*summary, out, units) : ui::writePicture(*summary, out, pictureSize);
 }
 
 }  // namespace stillcut::app

@@ -72,6 +72,10 @@ Status CutRun::stop() {
 
 const Snapshot* CutRun::read() {
   live_ = rig_->read();
+  if (rig_->finished() && !recordingClosed_) {
+    recordingClosed_ = true;
+    (void)rig_->closeRecording().ok();  // recorder() says what went wrong
+  }
   if (runLog_) runLog_->look(*rig_, live_);
   if (live_ == nullptr) return nullptr;
   takeOwnLimits(info_.limits, *rig_);
@@ -148,6 +152,7 @@ ui::RecorderView CutRun::recorder() const {
   if (recorder == nullptr) return {ui::RecorderView::State::Failed, {}, ui::sayCore(beside)};
   const record::RecorderStatus status = recorder->status();
   ui::RecorderView shown;
+  if (recordingClosed_ && status.fault.empty()) return shown;  // it ended with the run
   shown.state = status.recording ? ui::RecorderView::State::Recording : ui::RecorderView::State::Failed;
   shown.length = Seconds(static_cast<double>(status.written) * info_.setup.blockFrames / info_.setup.rate.value);
   shown.problem = ui::sayCore(status.fault);
@@ -229,6 +234,7 @@ Result<std::unique_ptr<CutRun>> openProfileRun(const std::string& path, Recorded
   const auto cut = evidenceOf(*profile, path);
   if (*lobes && cut) (*lobes)->learnFrom(defaultCutStore(), *cut);
   run->setLobes(std::move(lobes).value());
+  if (profile->source.id == "simulated") run->again = [path, recorded] { return openProfileRun(path, recorded); };
   // A replay and a simulation are no cuts of the shop. What the model lacks for learning, the lobes have complained of.
   const bool real = profile->source.id != "replay" && profile->source.id != "simulated";
   if (real && cut && *cut) run->keepCuts(std::make_unique<EvidenceLog>(**cut, defaultCutStore()));

@@ -100,6 +100,7 @@ class CutRun {
   std::unique_ptr<EvidenceLog> cuts_;   // null: the profile does not say what is cut
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from
   std::optional<RunLog> runLog_;        // while it runs
+  bool recordingClosed_ = false;        // with the end of its samples
 };
 
 // On a scenario's simulated machine: live (paced to the clock, on threads) or for Rig::advance(). Auto is chosen at the

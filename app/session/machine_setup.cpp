@@ -35,6 +35,18 @@ std::string usualScenario() {
   return (resourceFolder() / "scenarios/demo.toml").string();
 }
 
+QDir shippedFolder() {
+  return QDir(QString::fromStdString((resourceFolder() / "profiles").string()));
+}
+
+QStringList profilesIn(const QDir& folder) {
+  QStringList names;
+  for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.toml")}, QDir::Files, QDir::Name)) {
+    names.push_back(file.completeBaseName());
+  }
+  return names;
+}
+
 config::Profile withScenario(config::Profile profile) {
   if (profile.source.id == "simulated") profile.source.settings.try_emplace(kScenario, usualScenario());
   return profile;
@@ -126,13 +138,16 @@ std::string MachineSetup::profileFile(const QString& name) const {
 }
 
 QStringList MachineSetup::profiles() const {
-  QStringList names;
-  const QDir folder(QDir(folder_).filePath(QStringLiteral("profiles")));
-  if (folder_.isEmpty()) return names;
-  for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.toml")}, QDir::Files, QDir::Name)) {
-    names.push_back(file.completeBaseName());
-  }
-  return names;
+  return folder_.isEmpty() ? QStringList() : profilesIn(QDir(QDir(folder_).filePath(QStringLiteral("profiles"))));
+}
+
+QStringList MachineSetup::shippedProfiles() const {
+  return profilesIn(shippedFolder());
+}
+
+Result<config::Profile> MachineSetup::loadShipped(const QString& name) const {
+  const std::string file = shippedFolder().filePath(name + QStringLiteral(".toml")).toStdString();
+  return config::loadProfile(file, pipeline::fullCatalog(), knownIds());
 }
 
 QString MachineSetup::profileInForce() const {

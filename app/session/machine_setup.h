@@ -52,6 +52,8 @@ class MachineSetup final : public ui::SetupController {
   QString usualRecordings() const override { return recordings_; }
   ui::RecordingNow recordingNow() const override { return recorded ? recorded() : ui::RecordingNow(); }
   QStringList profiles() const override;
+  QStringList shippedProfiles() const override;
+  Result<config::Profile> loadShipped(const QString& name) const override;
   QString profileInForce() const override;
   Result<config::Profile> load(const QString& name) const override;
   Result<QString> save(const config::Profile& profile, const QString& name) override;

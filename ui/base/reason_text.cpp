@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 
 #include "ui/base/format.h"
+#include "ui/base/say.h"
 
 namespace stillcut::ui {
 namespace {
@@ -36,6 +37,11 @@ QString reasonText(const Reason& reason) {
   QString text = reasonWords(reason);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
+}
+
+QString onsetText(const Reason& reason) {
+  return say("Onset at %1, energy ratio %2")
+      .arg(join(number(reason.n[0]), QStringLiteral("Hz")), number(reason.n[1], 2));
 }
 
 }  // namespace stillcut::ui

@@ -12,4 +12,7 @@ QString reasonText(const Reason& reason);
 // The same as a part of another sentence: it begins as its language has it.
 QString reasonWords(const Reason& reason);
 
+// An alarm that has not become chatter, by the state it has: ReasonCode::ChatterBegan, and where it has not.
+QString onsetText(const Reason& reason);
+
 }  // namespace stillcut::ui

@@ -78,6 +78,7 @@ struct FileAnswer {
   int teeth = 0;                  // that it was judged with; 0: not known
   Hertz chatter{}, spindle{};     // 0: none, not known
   std::vector<FileTrack> tracks;  // of each detector; the first is the one the answer is of
+  Hertz judgedTo{};               // chatter above this is not found; 0: not known
 };
 
 // Of the speed that fits the signal best, and of the teeth at the speed that was told.

@@ -28,6 +28,7 @@ struct SessionEntry {
   int alarms = 0;
   Seconds alarmed{};     // in onset or chatter
   qint64 startedMs = 0;  // when it began, ms since 1970; 0: not known
+  bool session = false;  // one of ours; where it cannot be looked into it was not closed
   bool operator==(const SessionEntry&) const = default;
 
   qint64 beganMs() const { return startedMs > 0 ? startedMs : wallMs; }

@@ -66,7 +66,7 @@ enum class PlotState { Moves, Paused, Stale, Ended };
 struct Picture {
   const SessionInfo* info = nullptr;
   const Snapshot* snapshot = nullptr;  // null: nothing came yet
-  Seconds age{};                       // since the snapshot last changed, on the screen's own clock
+  Seconds age{};                       // of the newest decision's last sample, on the screen's own clock (freshness.h)
   bool stale = false;
   bool paused = false;  // a replay that stands still because somebody wants it so: not stale
   qint64 nowMs = 0;     // the screen's own clock, for touches
@@ -87,6 +87,11 @@ struct Picture {
   bool over() const { return !link.ended.isEmpty(); }
   PlotState plotState() const {
     return over() ? PlotState::Ended : stale ? PlotState::Stale : paused ? PlotState::Paused : PlotState::Moves;
+  }
+  // Samples still come: the decisions on them lag.
+  bool lags() const {
+    constexpr Seconds kLag{0.5};
+    return stale && snapshot != nullptr && snapshot->health.blockAge > kLag;
   }
   const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
 };

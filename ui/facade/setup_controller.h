@@ -117,6 +117,9 @@ class SetupController {
 
   // Files in the user's folder, by name, and the profile in force.
   virtual QStringList profiles() const = 0;
+  // Examples that come with the program, for one of the kits each.
+  virtual QStringList shippedProfiles() const = 0;
+  virtual Result<config::Profile> loadShipped(const QString& name) const = 0;
   virtual QString profileInForce() const = 0;  // empty: a scenario, none
   virtual Result<config::Profile> load(const QString& name) const = 0;
   // Gives the file.

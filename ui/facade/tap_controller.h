@@ -7,6 +7,7 @@
 #include <QString>
 #include <QStringList>
 #include <complex>
+#include <map>
 #include <vector>
 
 #include "core/base/result.h"
@@ -129,6 +130,38 @@ struct TapLobes {
   std::uint32_t version = 0;
 };
 
+// What a file of a tap test may leave open. A person knows; a factor is never guessed.
+enum class TapQuestion {
+  Hammer,               // name of the hammer's channel
+  Sensor,               // and of the response's
+  ForceUnit,            // "N", "lbf"
+  ResponseUnit,         // "m/s^2", "g"
+  ForceSensitivity,     // of a channel in volts: "2.25 mV/N"
+  ResponseSensitivity,  // "100 mV/g"
+  ForceFullScale,       // of those units: what full scale of a sound file is
+  ResponseFullScale,
+  Unit,           // of a frequency response: "um/N"
+  FrequencyUnit,  // "Hz", "kHz", "rad/s"
+  PhaseUnit,      // "deg", "rad"
+};
+
+struct TapAnswers {
+  std::map<TapQuestion, QString> said;
+  bool flip = false;  // the response points against the force
+  bool operator==(const TapAnswers&) const = default;
+};
+
+// The files that somebody asked for last.
+struct TapFileReading {
+  bool runs = false;
+  QString problem;                     // why they were not taken, in the language of the screen; what was there stays
+  std::vector<TapQuestion> questions;  // that they leave open, and those answered before
+  bool flipAsked = false;              // it looks as if the response pointed against the force
+  TapAnswers answers;
+};
+
+enum class TapKept { Modes, Cut };
+
 class TapController {
  public:
   virtual ~TapController() = default;
@@ -150,10 +183,13 @@ class TapController {
   virtual const std::vector<TapHitRow>& hits(int axis) const = 0;
   virtual void useHit(int axis, std::size_t hit, bool use) = 0;
 
-  // Hammer records, frequency responses or modes, instead of a device. What they lack of force is asked nobody: their
-  // response alone gives frequencies and damping.
-  virtual void openFiles(const QStringList& paths) = 0;
-  virtual const QStringList& files() const = 0;  // whose measurement is shown; empty: a device's
+  // Hammer records, frequency responses or modes, instead of a device. What names no axis lies along `axis`; the other
+  // axis keeps what it has. Without any force the response alone gives frequencies and damping.
+  virtual void openFiles(const QStringList& paths, int axis) = 0;
+  virtual const QStringList& files() const = 0;  // whose measurement was shown last; empty: a device's
+  virtual const TapFileReading& reading() const = 0;
+  // The same files again, with what they do not say.
+  virtual void answer(const TapAnswers& answers) = 0;
 
   virtual const TapResponse& response(int axis) const = 0;
   virtual void useMode(int axis, std::size_t mode, bool use) = 0;
@@ -169,6 +205,8 @@ class TapController {
   // The ticked modes with the cut of compute() as one file that profiles take, and the tool's in the library; gives its
   // name. `tool` may be empty: the file alone.
   virtual Result<QString> saveCut(const QString& tool) = 0;
+  // The file that would be overwritten; empty: there is none yet.
+  virtual QString keptAlready(TapKept what, const QString& name) const = 0;
   // The ticked modes of both axes alone, as `modal` writes them; gives the file's name.
   virtual Result<QString> saveModes(const QString& name) = 0;
 };

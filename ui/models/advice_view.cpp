@@ -7,6 +7,7 @@
 #include "ui/base/format.h"
 #include "ui/base/reason_text.h"
 #include "ui/base/say.h"
+#include "ui/models/named_chatter.h"
 
 namespace stillcut::ui {
 namespace {
@@ -149,7 +150,29 @@ AdviceView offered(const Picture& picture) {
   return view;
 }
 
-AdviceView commandInForce(const Picture& picture, const Reason& moveReason) {
+// Somebody wants advice, and the strategy has not yet asked for it: the speed that was offered is the one to come.
+AdviceView standing(const Picture& picture) {
+  AdviceView view;
+  view.mode = AdviceView::Mode::Offered;
+  view.title = picture.snapshot->authority == Authority::Auto ? say("WHAT COMES NEXT") : say("ADVICE, IN A MOMENT");
+  fillAdvice(view, picture.snapshot->advice, picture);
+  return view;
+}
+
+// The frequency of a strategy's sentence, as verdict and card name it.
+Reason withNamedFrequency(Reason reason, const Picture& picture) {
+  const bool third = reason.code == ReasonCode::CentreOfNextPocket || reason.code == ReasonCode::QuarterWave;
+  const bool fourth = reason.code == ReasonCode::NextPocketInRange || reason.code == ReasonCode::PocketByLobes;
+  if (!third && !fourth) return reason;
+  constexpr double kSame = 0.03;
+  const Verdict& verdict = picture.verdict();
+  const Hertz named = namedChatter(*picture.snapshot, verdict.frequency, verdict.frequencySd);
+  double& said = reason.n[third ? 2 : 3];
+  if (verdict.alarming() && named.value > 0.0 && std::abs(named.value - said) <= kSame * said) said = named.value;
+  return reason;
+}
+
+AdviceView commandInForce(const Picture& picture, const Reason& moveReason, Rpm target) {
   const Snapshot& s = *picture.snapshot;
   AdviceView view;
   view.mode = AdviceView::Mode::InForce;
@@ -157,13 +180,20 @@ AdviceView commandInForce(const Picture& picture, const Reason& moveReason) {
                : s.operatorHold  ? say("ACTIVE, HELD BY YOU")
                                  : say("ACTIVE");
   const MachineState& m = s.machine;
-  fillMove(view,
-           {m.programmedSpeed * s.command.speed.value, m.programmedFeed * s.command.feed.value, m.programmedSpeed,
-            m.programmedFeed},
-           picture);
+  // While the ramp goes there its end stands large, and where it has come to small: one speed, not two.
+  const Rpm commanded = m.programmedSpeed * s.command.speed.value;
+  constexpr double kThere = 0.003;
+  const bool onItsWay = target.value > 0.0 && commanded.value > 0.0 && repeatsNumbers(s.command.reason.code) &&
+                        std::abs(commanded / target - 1.0) > kThere;
+  const double further = onItsWay ? target / commanded : 1.0;
+  fillMove(
+      view,
+      {commanded * further, m.programmedFeed * (s.command.feed.value * further), m.programmedSpeed, m.programmedFeed},
+      picture);
+  if (onItsWay) view.delta = say("now %1").arg(number(commanded.value));
   // What the gate keeps back comes first; otherwise the strategy has the word.
   const bool strategySays = moveReason.code != ReasonCode::None && repeatsNumbers(s.command.reason.code);
-  view.reason = reasonText(strategySays ? moveReason : s.command.reason);
+  view.reason = reasonText(strategySays ? withNamedFrequency(moveReason, picture) : s.command.reason);
   return view;
 }
 
@@ -208,16 +238,18 @@ QString AdviceView::spoken() const {
   return parts.join(QStringLiteral(". "));
 }
 
-AdviceView makeAdviceView(const Picture& picture, const Reason& moveReason) {
+AdviceView makeAdviceView(const Picture& picture, const Reason& moveReason, Rpm target) {
   if (!picture.snapshot || picture.stale || picture.over()) return nothing(picture);
   const Snapshot& s = *picture.snapshot;
   const SpeedAdvice::Kind kind = s.advice.kind;
   if (s.adviceOpen && kind != SpeedAdvice::Kind::None) return openAdvice(picture);
-  if (s.commanding && moves(s.command)) return commandInForce(picture, moveReason);
+  if (s.commanding && moves(s.command)) return commandInForce(picture, moveReason, target);
   if (kind == SpeedAdvice::Kind::LessDepth || kind == SpeedAdvice::Kind::OutOfReach) return forHand(picture);
   if (kind != SpeedAdvice::Kind::Speed) return nothing(picture);
   if (picture.replay || picture.info->linkLabel.isEmpty()) return forHand(picture);
-  return s.authority == Authority::Off ? offered(picture) : nothing(picture);
+  if (s.authority == Authority::Off) return offered(picture);
+  // Refused is refused. Otherwise what was offered stays where it is until the strategy has asked for it by itself.
+  return s.request.reason.code == ReasonCode::AdviceRefused ? nothing(picture) : standing(picture);
 }
 
 }  // namespace stillcut::ui

@@ -32,15 +32,25 @@ class MoveReason {
  public:
   // Call at every display tick.
   void see(const Snapshot& snapshot) {
-    if (snapshot.request.kind == RequestKind::Set) reason_ = snapshot.request.reason;
-    if (!snapshot.commanding && !snapshot.adviceOpen && snapshot.request.kind != RequestKind::Set) reason_ = {};
+    const OverrideRequest& asked = snapshot.request;
+    if (asked.kind == RequestKind::Set) {
+      reason_ = asked.reason;
+      target_ = asked.claimsSpeed ? asked.speed : Rpm();
+    }
+    if (!snapshot.commanding && !snapshot.adviceOpen && asked.kind != RequestKind::Set) {
+      reason_ = {};
+      target_ = Rpm();
+    }
   }
   const Reason& reason() const { return reason_; }
+  // Where the ramp ends; 0: no speed was asked for.
+  Rpm target() const { return target_; }
 
  private:
   Reason reason_;
+  Rpm target_{};
 };
 
-AdviceView makeAdviceView(const Picture& picture, const Reason& moveReason = {});
+AdviceView makeAdviceView(const Picture& picture, const Reason& moveReason = {}, Rpm target = {});
 
 }  // namespace stillcut::ui

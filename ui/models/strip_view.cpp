@@ -65,7 +65,7 @@ StripItem sensorItem(const Picture& p) {
   const QString label = say("Sensor");
   if (!p.link.ended.isEmpty()) return {label, p.link.ended, p.mayRunAgain ? Tone::Faint : Tone::Chatter};
   if (!p.snapshot) return {label, say("no samples yet"), Tone::Faint};
-  if (p.stale) return {label, say("nothing for %1").arg(duration(p.age)), Tone::Chatter};
+  if (p.stale && !p.lags()) return {label, say("nothing for %1").arg(duration(p.age)), Tone::Chatter};
   switch (p.verdict().reason.code) {
     case ReasonCode::InputClipped:
       return {label, say("at its limit"), Tone::Onset};
@@ -150,6 +150,12 @@ QString headlineOf(const Intervention& i, const Picture& picture) {
   return say("%1, stable after %2, %3 marked").arg(what, duration(i.timeToStable), lengthText(i.marked, picture.units));
 }
 
+// An onset that nobody touched and that went by itself: nothing that a card would tell.
+bool worthACard(const Intervention& i) {
+  const bool onset = i.feedBefore.value > 0.0 && !(i.marked.value > 0.0);
+  return !onset || i.commanded != Instant{};
+}
+
 // Something has been done or is over: until then there is a now, and no before and after.
 bool hasAfter(const Intervention& i) {
   return i.finished || i.commanded != Instant{};
@@ -160,7 +166,9 @@ bool hasAfter(const Intervention& i) {
 QString vibrationOf(const Intervention& i, const QString& unit) {
   if (!hasAfter(i)) return say("Vibration %1").arg(join(significant(i.vibrationAfter), unit));
   const QString moved = change(significant(i.vibrationBefore), significant(i.vibrationAfter), unit);
-  if (!i.finished || !i.quiet) return say("Vibration %1").arg(moved);
+  // After the tool has left it swings in the air, which is no result.
+  if (i.finished && !i.quiet) return say("Vibration %1").arg(join(significant(i.vibrationBefore), unit));
+  if (!i.finished) return say("Vibration %1").arg(moved);
   constexpr double kLess = 0.9;  // what anybody hears
   if (i.vibrationAfter < kLess * i.vibrationBefore) return say("Vibration %1: the chatter is gone").arg(moved);
   const QString teeth = percent(std::floor(1e2 * (1.0 - std::clamp(i.severityAfter.value, 0.0, 1.0))) / 1e2);
@@ -189,9 +197,11 @@ CardView cardOf(const Intervention& i, const Picture& picture) {
   const double longer = 1e2 * (i.cycleTime.value - 1.0);
   if (i.finished && longer >= 0.5) card.cost = say("time +%1").arg(join(number(longer), QStringLiteral("%")));
   const QString after = number(1e2 * i.severityAfter.value), percentSign = QStringLiteral("%");
+  const bool left = i.finished && !i.quiet;
   card.ratio = say("chatter %1")
-                   .arg(hasAfter(i) ? change(number(1e2 * i.severityBefore.value), after, percentSign)
-                                    : join(after, percentSign));
+                   .arg(left          ? join(number(1e2 * i.severityBefore.value), percentSign)
+                        : hasAfter(i) ? change(number(1e2 * i.severityBefore.value), after, percentSign)
+                                      : join(after, percentSign));
   card.vibration = vibrationOf(i, unit);
   card.tone = i.quiet ? Tone::Normal : i.finished ? Tone::Chatter : Tone::Advice;
   return card;
@@ -203,14 +213,14 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
   std::vector<StripItem> items{linkItem(picture), sensorItem(picture)};
   const PathHealth health = picture.snapshot ? picture.snapshot->health : PathHealth{};
   items.push_back({say("Rate"), join(number(picture.info->setup.rate.value), QStringLiteral("Hz")), Tone::Normal});
-  items.push_back(counter(say("Drops"), health.droppedBlocks));
-  items.push_back(counter(say("Overruns"), health.overruns));
+  items.push_back(counter(say("Lost"), health.droppedBlocks));
+  items.push_back(counter(say("Too slow"), health.overruns));
   if (health.leasesExpired > 0) items.push_back(counter(say("Leases run out"), health.leasesExpired));
   if (health.linkStalls > 0) items.push_back(counter(say("Standstills"), health.linkStalls));
   const Seconds blockAge = picture.stale ? picture.age : health.blockAge;
   // After the last block no age grows that anybody should mind.
   const bool aging = picture.snapshot != nullptr && !picture.over();
-  items.push_back({say("Block age"), duration(aging ? blockAge : Seconds(std::nan(""))),
+  items.push_back({say("Delay"), duration(aging ? blockAge : Seconds(std::nan(""))),
                    !aging          ? Tone::Faint
                    : picture.stale ? Tone::Chatter
                                    : Tone::Normal});
@@ -258,11 +268,16 @@ CommandView makeCommandView(const Picture& picture) {
     view.since = say("%1, on this simulated machine").arg(view.since);
   }
   if (!view.machine) view.since = say("no machine link: advice is for your hand");
-  if (picture.stale) view.since = say("as last heard, %1 ago").arg(duration(picture.age));
+  if (picture.stale) {
+    view.since = picture.lags() ? say("%1 behind").arg(duration(picture.age))
+                                : say("as last heard, %1 ago").arg(duration(picture.age));
+    if (picture.lags()) view.autoAllowed = false;  // nothing is handed to what sees the cut too late
+  }
   if (s.operatorHold) view.since = say("held by you, %1").arg(view.since);
   if (picture.over()) {  // with the samples every lease has ended: nobody but the machine's own knobs commands
     view.authority = Authority::Off;
     view.live = view.autoAllowed = view.held = false;
+    view.over = true;
     if (!view.notYetBack) view.moved.clear();
     view.inCommand = say("You are in command");
     view.since = picture.link.ended;
@@ -275,6 +290,13 @@ CommandView makeCommandView(const Picture& picture) {
   return view;
 }
 
+NewestAlarm makeNewestAlarm(const Picture& picture) {
+  if (!picture.snapshot || picture.snapshot->interventionCount == 0) return {};
+  const Snapshot& s = *picture.snapshot;
+  const Intervention& newest = s.interventions[(s.interventionCount - 1) % kInterventionsShown];
+  return {s.interventionCount, clockTime(picture.info->wallMs(newest.began))};
+}
+
 std::vector<CardView> makeCards(const Picture& picture) {
   std::vector<CardView> cards;
   if (!picture.snapshot) return cards;
@@ -282,7 +304,9 @@ std::vector<CardView> makeCards(const Picture& picture) {
   const quint64 kept = std::min<quint64>(s.interventionCount, kInterventionsShown);
   for (quint64 k = 0; k < kept; ++k) {
     const quint64 number = s.interventionCount - 1 - k;
-    cards.push_back(cardOf(s.interventions[number % kInterventionsShown], picture));
+    const Intervention& intervention = s.interventions[number % kInterventionsShown];
+    if (!worthACard(intervention)) continue;
+    cards.push_back(cardOf(intervention, picture));
     if (k > 0) cards.back().vibration.clear();  // it is about now
   }
   return cards;

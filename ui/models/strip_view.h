@@ -29,6 +29,7 @@ struct CommandView {
   bool held = false;
   QString moved;            // "97 %, 97 %", speed and feed, while the overrides are not 100 %
   bool notYetBack = false;  // what was released has not been read back
+  bool over = false;        // nothing more will come: nobody advises any more
   bool machine = false;     // there is one that could be moved
   // For the pages that do not show them large.
   VerdictView verdict;
@@ -49,7 +50,16 @@ struct CardView {
   bool operator==(const CardView&) const = default;
 };
 
-// Newest first.
+// What a judgement is of, whether or not it has a card.
+struct NewestAlarm {
+  quint64 count = 0;  // alarms so far
+  QString time;       // "14:00:03"; empty: there was none
+  bool operator==(const NewestAlarm&) const = default;
+};
+
+NewestAlarm makeNewestAlarm(const Picture& picture);
+
+// Newest first, of those that are worth one.
 std::vector<CardView> makeCards(const Picture& picture);
 
 // The newest thing that went wrong and what became of it, for half a minute; of the active table as long as it stays

@@ -93,7 +93,10 @@ VerdictView overVerdict(const Picture& picture) {
 }
 
 VerdictView staleVerdict(const Picture& picture) {
-  VerdictView view = noVerdict(say("The picture is stale: nothing new for %1").arg(duration(picture.age)));
+  const QString why = picture.lags()
+                          ? say("%1 behind: this computer does not keep up with the samples").arg(duration(picture.age))
+                          : say("The picture is stale: nothing new for %1").arg(duration(picture.age));
+  VerdictView view = noVerdict(why);
   const Verdict& last = picture.verdict();
   if (last.valid)
     view.marked =
@@ -155,7 +158,7 @@ VerdictView verdictOf(const Picture& picture, Trend trend) {
 }  // namespace
 
 QString VerdictView::spoken() const {
-  QStringList parts{word, frequency, kind, detail, marked};
+  QStringList parts{caption, word, frequency, kind, detail, marked};
   parts.removeAll(QString());
   return parts.join(QStringLiteral(". "));
 }
@@ -163,6 +166,7 @@ QString VerdictView::spoken() const {
 VerdictView makeVerdictView(const Picture& picture, Trend trend) {
   VerdictView view = verdictOf(picture, trend);
   if (picture.paused && picture.snapshot && picture.snapshot->running) view.detail = say("The replay is paused");
+  if (picture.replay) view.caption = say("REPLAY");
   return view;
 }
 

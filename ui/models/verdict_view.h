@@ -15,6 +15,7 @@ struct VerdictView {
   Shape shape = Shape::Ring;
   Tone tone = Tone::Faint;
   QString word;       // "CHATTER"
+  QString caption;    // "REPLAY" above the word: it is not of the cut that runs; empty: it is
   QString frequency;  // "1 713 ±2 Hz", empty when there is none
   QString kind;       // of an alarm, in a machinist's words: "regenerative"; empty when it is not known
   QString detail;     // "growing", or the sentence why there is no verdict

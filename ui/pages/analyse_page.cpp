@@ -101,6 +101,11 @@ Panel* AnalysePage::panel(QWidget* inside) {
 
 void AnalysePage::see(const Picture& picture) {
   const int channels = static_cast<int>(picture.info->setup.channels.size());
+  std::vector<double> limits;
+  for (const DetectorLabel& detector : picture.info->detectors) {
+    limits.push_back(limitOfIndicator(detector.indicators.value(0), picture.info->limits));
+  }
+  if (picture.history != nullptr) tracks_->seeLimits(picture.history->end(), limits);
   const int wanted = std::min(view_.options().channel, std::max(channels - 1, 0));
   if (wanted == channel_) return;
   channel_ = wanted;
@@ -159,7 +164,7 @@ void AnalysePage::restart() {
   view_.restart();
   map_->restart();
   trace_->display(nullptr, {});
-  tracks_->display(nullptr, {}, 0);
+  tracks_->restart();
   spectrum_->display({});
   channel_ = -1;
 }

@@ -41,16 +41,19 @@ InterventionList::InterventionList(QWidget* parent)
   for (int k = 0; k < kInterventionsShown; ++k) widgets_.push_back(new InterventionCard(this));
 }
 
-void InterventionList::display(const std::vector<CardView>& cards, const EventLine& event, bool live, bool alarming,
-                               bool answerable) {
-  if (cards == cards_ && event == event_ && live == live_ && alarming == alarming_ && answerable == answerable_) return;
-  const bool newAlarm =
-      (alarming && !alarming_) || (!cards.empty() && (cards_.empty() || cards.front().number != cards_.front().number));
+void InterventionList::display(const std::vector<CardView>& cards, const NewestAlarm& newest, const EventLine& event,
+                               bool live, bool alarming, bool answerable) {
+  if (cards == cards_ && newest == newest_ && event == event_ && live == live_ && alarming == alarming_ &&
+      answerable == answerable_) {
+    return;
+  }
+  const bool newAlarm = (alarming && !alarming_) || newest.count != newest_.count;
   if (newAlarm) {
     judgement_ = Judgement::None;
     judgedForGood_ = false;
   }
   cards_ = cards;
+  newest_ = newest;
   event_ = event;
   // Stays pressed until the alarm comes or another picture does: that is what the touch asked for.
   if (alarming != alarming_ || live != live_) heard_ = false;
@@ -85,14 +88,14 @@ void InterventionList::hear() {
 }
 
 void InterventionList::showJudgement() {
-  const bool judgeable = answerable_ && !judgedForGood_ && (alarming_ || !cards_.empty());
+  const bool judgeable = answerable_ && !judgedForGood_ && (alarming_ || newest_.count > 0);
   wasTrue_->setEnabled(judgeable);
   wasFalse_->setEnabled(judgeable);
   wasTrue_->setChecked(judgement_ == Judgement::True);
   wasFalse_->setChecked(judgement_ == Judgement::False);
   hear_->setChecked(heard_);
   // Which alarm is meant, by its time; and how to take the mark back.
-  const QString meant = cards_.empty() || !judgeable ? QString() : QStringLiteral(", ") + cards_.front().time;
+  const QString meant = newest_.time.isEmpty() || !judgeable ? QString() : QStringLiteral(", ") + newest_.time;
   const auto hint = [&](bool marked, const QString& key) { return marked ? tr("%1 undoes it").arg(key) : key; };
   wasTrue_->setHint(hint(judgement_ == Judgement::True, QStringLiteral("F9")) + meant);
   wasFalse_->setHint(hint(judgement_ == Judgement::False, QStringLiteral("F10")) + meant);

@@ -21,8 +21,8 @@ class InterventionList : public QWidget, public Themed {
 
   // `live`: samples come in. `alarming`: an alarm is on right now, which can be judged before there is a card.
   // `answerable`: not of a replay.
-  void display(const std::vector<CardView>& cards, const EventLine& event, bool live, bool alarming,
-               bool answerable = true);
+  void display(const std::vector<CardView>& cards, const NewestAlarm& newest, const EventLine& event, bool live,
+               bool alarming, bool answerable = true);
   int shownCards() const;
   bool clipped() const override { return clipped_; }
 
@@ -49,6 +49,7 @@ class InterventionList : public QWidget, public Themed {
 
   Theme theme_;
   std::vector<CardView> cards_;
+  NewestAlarm newest_;
   EventLine event_;
   std::vector<InterventionCard*> widgets_;
   TouchButton* wasTrue_;

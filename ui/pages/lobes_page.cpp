@@ -50,6 +50,7 @@ LobesPage::LobesPage(FindService find, LobeEntryController* entry, QWidget* pare
       table_(new PocketTable(this)),
       side_(new Panel),
       grid_(new QGridLayout(this)) {
+  progress_->setTextVisible(false);  // on the coloured part no letter could be read
   layOut();
   connectAll();
   chooseMethod(method_);

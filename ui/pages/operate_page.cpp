@@ -84,11 +84,12 @@ void OperatePage::restart() {
 void OperatePage::display(const Picture& picture) {
   if (picture.snapshot) adviceShown_ = picture.snapshot->adviceNumber;
   verdict_->display(makeVerdictView(picture, trend_.trend()));
-  advice_->display(makeAdviceView(picture, moveReason_.reason()));
+  advice_->display(makeAdviceView(picture, moveReason_.reason(), moveReason_.target()));
   overrides_->display(makeMachineView(picture));
   const bool live = picture.snapshot && !picture.stale && !picture.over() && picture.snapshot->running;
   const bool alarming = live && picture.verdict().alarming();
-  interventions_->display(makeCards(picture), makeEventLine(picture), live, alarming, !picture.replay);
+  interventions_->display(makeCards(picture), makeNewestAlarm(picture), makeEventLine(picture), live, alarming,
+                          !picture.replay);
   showBars(picture);
   showSpectrogram(picture);
 }

@@ -24,6 +24,8 @@ class Page : public QWidget, public Themed {
   virtual void display(const Picture& picture) = 0;
   // Another cut, replay or machine was opened: what was seen of the one before is forgotten.
   virtual void restart() {}
+  // Closes what lies over the page, if anything does.
+  virtual bool closeTop() { return false; }
   // A file that somebody wants to look at, on a page that shows files; empty: it asks which.
   virtual void openFile(const QString& path) { static_cast<void>(path); }
   // What outlives a restart: its own group of the settings. Who has something to keep emits stateChanged().
@@ -35,6 +37,8 @@ class Page : public QWidget, public Themed {
   void pageAsked(const QString& id);
   // A recording is to be looked at as a whole; empty: the page for that asks which.
   void fileAsked(const QString& path);
+  // A part of the manual, as its chapters link to each other.
+  void manualAsked(const QString& link);
   void asked(const stillcut::OperatorInput& input);
   // What has ended is to be run once more.
   void againAsked();

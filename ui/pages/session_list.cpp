@@ -179,9 +179,12 @@ void SessionList::sayWhatIsMissing() {
     const auto counted = [&](SessionEntry::Inside inside) {
       return std::ranges::count(entries, inside, &SessionEntry::inside);
     };
-    const auto reading = counted(SessionEntry::Inside::NotYet), without = counted(SessionEntry::Inside::No);
+    const auto open = std::ranges::count_if(
+        entries, [](const SessionEntry& entry) { return entry.session && entry.inside == SessionEntry::Inside::No; });
+    const auto reading = counted(SessionEntry::Inside::NotYet), without = counted(SessionEntry::Inside::No) - open;
     QStringList words;
     if (reading > 0) words << tr("recordings still to be read: %1").arg(reading);
+    if (open > 0) words << tr("not closed, still written or cut off, so not counted: %1").arg(open);
     if (without > 0) words << tr("without alarms of their own, not counted: %1").arg(without);
     empty_->setText(words.join(u'\n'));
   } else {

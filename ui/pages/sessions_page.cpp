@@ -260,7 +260,15 @@ void SessionsPage::writeDrawn(const QString& suffix) {
   if (!controller_->summaryWhole())
     return tell(Error{message("export"), message("the recording is still being read"), message("a moment later")}, {});
   const QString file = exportName(suffix);
-  tell(report_(*summary, file, units_), tr("Written: %1").arg(breakable(file)));
+  Status written = report_(*summary, file, units_);
+  QString said = breakable(file);
+  // Whoever gets the report may have a browser and no reader, or the other way round.
+  if (written && suffix == QLatin1String(".pdf")) {
+    const QString page = exportName(QStringLiteral(".html"));
+    written = report_(*summary, page, units_);
+    said += QStringLiteral(", ") + breakable(page);
+  }
+  tell(written, tr("Written: %1").arg(said));
 }
 
 void SessionsPage::see(const Picture&) {

@@ -16,6 +16,8 @@ struct AxisRange {
 
 // Numbers right-aligned left of the plot; the lowest carries the unit.
 void drawLeftAxis(QPainter& p, const QRect& plot, const AxisRange& range, const QString& unit, const Theme& theme);
+// What the widest of its numbers takes left of a plot of that height, ticks and air with it.
+int leftAxisWidth(int plotHeight, const AxisRange& range, const QString& unit, const Theme& theme);
 void drawBottomAxis(QPainter& p, const QRect& plot, const AxisRange& range, const QString& unit, const Theme& theme);
 
 }  // namespace stillcut::ui

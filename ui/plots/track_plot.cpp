@@ -50,6 +50,32 @@ TrackPlot::TrackPlot(AnalyseView& view, QWidget* parent) : TimePlot(view, tr("DE
   setToolTip(tr("Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator."));
 }
 
+void TrackPlot::seeLimits(Instant now, const std::vector<double>& limits) {
+  limits_.resize(std::max(limits_.size(), limits.size()));
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    std::deque<Limit>& known = limits_[k];
+    const bool same = !known.empty() &&
+                      (known.back().value == limits[k] || (std::isnan(known.back().value) && std::isnan(limits[k])));
+    if (!same) known.push_back({now, limits[k]});
+    while (known.size() > 1 && secondsBetween(known[1].from, now) > RunHistory::kKept) known.pop_front();
+  }
+}
+
+double TrackPlot::limitAt(std::size_t track, Instant t) const {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  if (track >= limits_.size()) return value;
+  for (const Limit& limit : limits_[track]) {
+    if (limit.from > t && std::isfinite(value)) break;
+    value = limit.value;
+  }
+  return value;
+}
+
+void TrackPlot::restart() {
+  limits_.clear();
+  display(nullptr, {}, 0);
+}
+
 void TrackPlot::display(const RunHistory* history, std::vector<Row> rows, int inCharge) {
   history_ = history;
   rows_ = std::move(rows);
@@ -74,7 +100,8 @@ void TrackPlot::drawPlot(QPainter& p, const QRect& plot) {
     const Row about = k < rows_.size() ? rows_[k] : Row();
     drawTrack(p, row, tracks[k], full);
     p.restore();
-    drawScale(p, row, full, about.limit);
+    drawScale(p, row, full);
+    drawLimit(p, row, full, about.limit, k);
     drawReadings(p, row, tracks[k]);
     p.setPen(theme().colors.text);
     const QString& name = about.name;
@@ -110,7 +137,10 @@ void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<Track
     const TrackPoint& begin = *it;
     const double left = xOf(begin.time);
     if (begin.afterGap && it != track.begin()) {
-      const double since = xOf((it - 1)->time);
+      // What the screen slept through besides is no gap of the samples.
+      constexpr Seconds kLate{0.3};
+      const bool late = secondsBetween((it - 1)->time, begin.time) > kLate;
+      const double since = late ? left - 2.0 : xOf((it - 1)->time);
       p.fillRect(QRectF(since, row.top(), left - since, row.height()), theme().colors.gap);
       if (!curves.back().isEmpty()) curves.emplace_back();
     }
@@ -143,18 +173,35 @@ void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<Track
   }
 }
 
-// Beside the row: its upper end, and the limit where there is one, as a line across.
-void TrackPlot::drawScale(QPainter& p, const QRectF& row, double full, double limit) const {
+// Beside the row: its upper end.
+void TrackPlot::drawScale(QPainter& p, const QRectF& row, double full) const {
   p.setFont(theme().font(type_size::kTick));
   const QFontMetrics metrics = p.fontMetrics();
   const double left = row.right() + theme().px(6), high = metrics.capHeight();
   p.setPen(theme().colors.secondary);
   p.drawLine(QPointF(row.right() + 1, row.top() + 0.5), QPointF(row.right() + theme().px(5), row.top() + 0.5));
   p.drawText(QPointF(left, row.top() + high), significant(full));
-  if (!std::isfinite(limit) || limit > full) return;
-  const double y = row.bottom() - row.height() * limit / full;
+}
+
+// As lines across, each for as long as it decided: the past was not judged by what is set now. The number is of
+// today's.
+void TrackPlot::drawLimit(QPainter& p, const QRectF& row, double full, double limit, std::size_t track) const {
+  const auto heightAt = [&](double value) { return row.bottom() - row.height() * value / full; };
+  const std::deque<Limit> always{{Instant::min(), limit}};
+  const bool seen = track < limits_.size() && !limits_[track].empty() && limits_[track].back().value == limit;
+  const std::deque<Limit>& known = seen ? limits_[track] : always;
   p.setPen(QPen(theme().colors.onsetText, 1, Qt::DashLine));
-  p.drawLine(QPointF(row.left(), y), QPointF(row.right() + theme().px(5), y));
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (!std::isfinite(known[k].value) || known[k].value > full) continue;
+    const bool first = k == 0, last = k + 1 == known.size();
+    const double from = first ? row.left() : std::max(row.left(), xOf(known[k].from));
+    const double to = last ? row.right() + theme().px(5) : std::min(row.right(), xOf(known[k + 1].from));
+    const double y = heightAt(known[k].value);
+    if (to > from) p.drawLine(QPointF(from, y), QPointF(to, y));
+  }
+  if (!std::isfinite(limit) || limit > full) return;
+  p.setFont(theme().font(type_size::kTick));
+  const double high = p.fontMetrics().capHeight(), left = row.right() + theme().px(6), y = heightAt(limit);
   p.setPen(theme().colors.onsetText);
   if (y - row.top() > high + theme().px(3))
     p.drawText(QPointF(left, std::min(y + high / 2, row.bottom())), significant(limit));

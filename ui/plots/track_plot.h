@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -22,6 +23,11 @@ class TrackPlot : public TimePlot {
   };
   // Rows in the order of the tracks; `inCharge` is set in bold.
   void display(const RunHistory* history, std::vector<Row> rows, int inCharge);
+  // At every display tick, in the same order: since when each limit has decided.
+  void seeLimits(Instant now, const std::vector<double>& limits);
+  void restart();
+  // That decided then; not a number: none, or not seen.
+  double limitAt(std::size_t track, Instant t) const;
   bool clipped() const override { return clipped_; }
   QSize minimumSizeHint() const override;
 
@@ -31,10 +37,17 @@ class TrackPlot : public TimePlot {
  private:
   QFont fitting(const QString& name, bool bold, double room);
   void drawTrack(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track, double full) const;
-  void drawScale(QPainter& p, const QRectF& row, double full, double limit) const;
+  void drawScale(QPainter& p, const QRectF& row, double full) const;
+  void drawLimit(QPainter& p, const QRectF& row, double full, double limit, std::size_t track) const;
   void drawReadings(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track) const;
 
+  struct Limit {
+    Instant from{};
+    double value = 0.0;
+  };
+
   const RunHistory* history_ = nullptr;
+  std::vector<std::deque<Limit>> limits_;  // of each track, oldest first
   std::vector<Row> rows_;
   int inCharge_ = 0;
   bool clipped_ = false;

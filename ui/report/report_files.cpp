@@ -1,13 +1,16 @@
 #include "ui/report/report_files.h"
 
+#include <QBuffer>
 #include <QFileInfo>
 #include <QImage>
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QSvgGenerator>
+#include <algorithm>
 
 #include "ui/report/report_pages.h"
 #include "ui/report/session_plots.h"
+#include "ui/report/web_report.h"
 
 namespace stillcut::ui {
 namespace {
@@ -42,6 +45,20 @@ void drawPicture(QPaintDevice& device, const SessionSummary& summary, QSize size
                    style);
 }
 
+// The plots as SVG, without the head of a file of its own.
+QString drawing(const SessionSummary& summary) {
+  constexpr QSize kSize{1100, 760};
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QSvgGenerator svg;
+  svg.setOutputDevice(&buffer);
+  svg.setSize(kSize);
+  svg.setViewBox(QRect(QPoint(), kSize));
+  drawPicture(svg, summary, kSize);
+  const QString text = QString::fromUtf8(buffer.data());
+  return text.mid(std::max<qsizetype>(text.indexOf(QStringLiteral("<svg")), 0));
+}
+
 }  // namespace
 
 Status writeReport(const SessionSummary& summary, const QString& path, UnitSystem units) {
@@ -56,6 +73,14 @@ Status writeReport(const SessionSummary& summary, const QString& path, UnitSyste
     pdf.setCreator(QStringLiteral("Stillcut"));
     if (drawPages(pdf, summary, units, countPages(summary, units)) == 0) return cannotWrite(path, file.errorString());
   }
+  if (!file.commit()) return cannotWrite(path, file.errorString());
+  return Done{};
+}
+
+Status writeWebReport(const SessionSummary& summary, const QString& path, UnitSystem units) {
+  QSaveFile file(path);
+  if (!file.open(QIODevice::WriteOnly)) return cannotWrite(path, file.errorString());
+  file.write(webReport(summary, drawing(summary), units).toUtf8());
   if (!file.commit()) return cannotWrite(path, file.errorString());
   return Done{};
 }
@@ -84,8 +109,9 @@ Status writePicture(const SessionSummary& summary, const QString& path, QSize si
 
 Status writeByName(const SessionSummary& summary, const QString& path, UnitSystem units) {
   constexpr QSize kPicture{1400, 900};
-  return path.endsWith(QStringLiteral(".pdf")) ? writeReport(summary, path, units)
-                                               : writePicture(summary, path, kPicture);
+  if (path.endsWith(QStringLiteral(".pdf"))) return writeReport(summary, path, units);
+  if (path.endsWith(QStringLiteral(".html"))) return writeWebReport(summary, path, units);
+  return writePicture(summary, path, kPicture);
 }
 
 }  // namespace stillcut::ui

@@ -14,10 +14,13 @@ namespace stillcut::ui {
 // markers, events; sensor check and settings.
 Status writeReport(const SessionSummary& summary, const QString& path, UnitSystem units);
 
+// The same content for a browser: one file, the plots inside it as a drawing.
+Status writeWebReport(const SessionSummary& summary, const QString& path, UnitSystem units);
+
 // The plots alone; .png or .svg by the suffix. `size` in pixels.
 Status writePicture(const SessionSummary& summary, const QString& path, QSize size);
 
-// The one or the other, by the suffix; a picture in a size for a page of text.
+// A report (.pdf, .html) or the plots, by the suffix; a picture in a size for a page of text.
 Status writeByName(const SessionSummary& summary, const QString& path, UnitSystem units);
 
 }  // namespace stillcut::ui

@@ -105,11 +105,12 @@ void ReportPages::firstPage() {
 void ReportPages::table(const QString& title, const std::vector<TableColumn>& columns,
                         const std::vector<TableRow>& rows) {
   section(title, 3 * kTableRow);
-  const std::vector<TableRow> lines = wrapped(columns, rows, kWidth, style_);
+  const std::vector<TableColumn> fit = fitted(columns, rows, kWidth, style_);
+  const std::vector<TableRow> lines = wrapped(fit, rows, kWidth, style_);
   int first = 0;
   while (first < static_cast<int>(lines.size())) {
     double used = 0.0;
-    first += drawTable(painter_, QRectF(left(), y_, kWidth, room()), columns, lines, first, style_, used);
+    first += drawTable(painter_, QRectF(left(), y_, kWidth, room()), fit, lines, first, style_, used);
     y_ += used;
     if (first < static_cast<int>(lines.size())) newPage();
   }

@@ -7,6 +7,7 @@
 #include "ui/base/format.h"
 #include "ui/base/reason_text.h"
 #include "ui/base/say.h"
+#include "ui/models/history/event_log.h"
 #include "ui/models/session_models.h"
 #include "ui/report/page_style.h"
 
@@ -67,6 +68,13 @@ QString meanText(const SensorSummary& sensor) {
   return std::abs(sensor.mean) < 1e-3 * sensor.rms ? QStringLiteral("0") : significant(sensor.mean, 3);
 }
 
+// As the plots count, and by the clock where the recording tells it.
+QString when(const SessionSummary& s, Instant time) {
+  const QString seconds = join(number(sinceEpoch(time).value, 2), QStringLiteral("s"));
+  if (s.started_ns <= 0) return seconds;
+  return QStringLiteral("%1, %2").arg(clockTime((s.started_ns + toNs(time)) / 1'000'000), seconds);
+}
+
 std::size_t quietCount(const SessionSummary& s) {
   return static_cast<std::size_t>(
       std::count_if(s.interventions.begin(), s.interventions.end(),
@@ -111,8 +119,9 @@ QString whatWasRecorded(const SessionSummary& s, UnitSystem units) {
   if (moved == 0) {
     return words + say("The overrides were not touched.");
   }
-  words += moved == 1 ? say("Stillcut moved speed and feed once; ")
-                      : say("Stillcut moved speed and feed %1 times; ").arg(moved);
+  // Counted by alarms: one may have taken several moves.
+  words += s.alarms == 1 ? say("Stillcut moved speed and feed; ")
+                         : say("Stillcut moved speed and feed after %1 of them; ").arg(moved);
   const std::size_t quiet = quietCount(s);
   if (quiet == moved)
     return words + (moved == 1 ? say("the cut was stable again.") : say("each time the cut was stable again."));
@@ -140,7 +149,7 @@ Facts cutFacts(const SessionSummary& s, UnitSystem units) {
       if (setup.toolDiameter.value > 0.0) teeth += say(", diameter ") + lengthText(setup.toolDiameter, units);
       facts.emplace_back(say("Flutes"), teeth);
     }
-    facts.emplace_back(say("Programmed"), join(rpm(setup.nominalSpeed), say("rpm")) + QStringLiteral(", ") +
+    facts.emplace_back(say("Programmed"), join(rpm(setup.nominalSpeed), rpmUnit()) + QStringLiteral(", ") +
                                               join(feedNumber(setup.nominalFeed, units), feedUnit(units)));
     facts.emplace_back(say("Authority"), authorityText(s.highestAuthority));
   }
@@ -179,7 +188,7 @@ std::vector<TableColumn> interventionColumns(UnitSystem units) {
   return {{say("No."), 0.5, true},
           {say("At"), 0.9, true},
           {say("Chatter"), 1.1, true},
-          {say("Speed [rpm]"), 1.9, true},
+          {say("Speed [%1]").arg(rpmUnit()), 1.9, true},
           {say("Feed [%1]").arg(feedUnit(units)), 1.9, true},
           {say("Energy ratio"), 1.6, true},
           {say("Vibration rms"), 1.8, true},
@@ -196,8 +205,8 @@ std::vector<TableRow> interventionRows(const SessionSummary& s, UnitSystem units
       return moved ? before + kArrow + after : before;
     };
     TableRow row;
-    row.cells << QString::number(i.number + 1) << join(number(sinceEpoch(i.began).value, 2), QStringLiteral("s"))
-              << join(number(i.frequency.value), say("Hz")) << pair(rpm(i.speedBefore), rpm(i.speedAfter))
+    row.cells << QString::number(i.number + 1) << when(s, i.began) << join(number(i.frequency.value), say("Hz"))
+              << pair(rpm(i.speedBefore), rpm(i.speedAfter))
               << pair(feedNumber(i.feedBefore, units), feedNumber(i.feedAfter, units))
               << pair(number(i.severityBefore.value, 2), number(i.severityAfter.value, 2))
               << pair(significant(i.vibrationBefore, 3), significant(i.vibrationAfter, 3))
@@ -245,8 +254,8 @@ std::vector<TableRow> eventRows(const SessionSummary& s) {
     const QString level = event.level == EventLevel::Fault     ? say("fault")
                           : event.level == EventLevel::Warning ? say("warning")
                                                                : say("info");
-    row.cells << join(number(sinceEpoch(event.time).value, 2), QStringLiteral("s")) << level
-              << reasonText(event.reason);
+    const bool onset = event.reason.code == ReasonCode::ChatterBegan && stayedOnset(s, event.time);
+    row.cells << when(s, event.time) << level << (onset ? onsetText(event.reason) : reasonText(event.reason));
     if (event.level == EventLevel::Fault) row.tone = Tone::Chatter;
     rows.push_back(row);
   }
@@ -266,9 +275,8 @@ std::vector<TableRow> markerRows(const SessionSummary& s) {
   for (const Marker& marker : s.markers) {
     TableRow row;
     const Seconds length = secondsBetween(marker.begin, marker.end);
-    row.cells << join(number(sinceEpoch(marker.begin).value, 2), QStringLiteral("s"))
-              << (length.value > 0.0 ? duration(length) : kNothing) << markerText(marker.label) << text(marker.author)
-              << QString::fromStdString(marker.note);
+    row.cells << when(s, marker.begin) << (length.value > 0.0 ? duration(length) : kNothing) << markerText(marker.label)
+              << text(marker.author) << QString::fromStdString(marker.note);
     rows.push_back(row);
   }
   return rows;

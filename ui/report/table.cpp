@@ -53,6 +53,29 @@ void drawCells(QPainter& painter, const QRectF& line, const std::vector<TableCol
 
 }  // namespace
 
+std::vector<TableColumn> fitted(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows,
+                                double width, const PageStyle& style) {
+  const QFontMetricsF cells(style.font(kText)), titles(style.font(kText, true));
+  constexpr double kAir = 2.0;
+  double left = width - kBetween * static_cast<double>(columns.size() - 1), shares = 0.0;
+  std::vector<TableColumn> out = columns;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    double asked = titles.horizontalAdvance(columns[c].title);
+    if (!columns[c].number) {
+      shares += columns[c].share;
+    } else {
+      for (const TableRow& row : rows)
+        asked = std::max(asked, cells.horizontalAdvance(row.cells.value(static_cast<qsizetype>(c))));
+    }
+    out[c].share = asked + kAir;
+    if (columns[c].number) left -= out[c].share;
+  }
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (!columns[c].number) out[c].share = std::max(out[c].share, columns[c].share / shares * left);
+  }
+  return out;
+}
+
 std::vector<TableRow> wrapped(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows, double width,
                               const PageStyle& style) {
   const std::vector<double> widths = widthsOf(columns, width);

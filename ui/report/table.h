@@ -24,6 +24,10 @@ struct TableRow {
 
 inline constexpr double kTableRow = 19;  // height of a row and of the head [1/96 inch]
 
+// Shares by what stands in the columns: numbers are never cut, texts share the rest and wrap in it.
+std::vector<TableColumn> fitted(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows,
+                                double width, const PageStyle& style);
+
 // The same rows with as many lines for each as its longest cell needs in a table of `width`: broken between words, and
 // within what has none (Chinese, a path). Numbers stay whole.
 std::vector<TableRow> wrapped(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows, double width,

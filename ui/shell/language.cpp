@@ -1,6 +1,7 @@
 #include "ui/shell/language.h"
 
 #include <QCoreApplication>
+#include <QLibraryInfo>
 #include <QLocale>
 
 namespace stillcut::ui {
@@ -41,13 +42,29 @@ Language desktopLanguage() {
 }
 
 Speaker::~Speaker() {
-  if (translator_) QCoreApplication::removeTranslator(translator_.get());
+  for (auto* translator : {&translator_, &dialogs_}) {
+    if (*translator) QCoreApplication::removeTranslator(translator->get());
+  }
 }
 
 void Speaker::speak(Language language) {
-  if (translator_) QCoreApplication::removeTranslator(translator_.get());
-  translator_.reset();
+  for (auto* translator : {&translator_, &dialogs_}) {
+    if (*translator) QCoreApplication::removeTranslator(translator->get());
+    translator->reset();
+  }
   language_ = language;
+  // Numbers are typed as the language writes them. A point that separates thousands is refused: 0.05 is not 5.
+  QLocale numbers(languageCode(language));
+  numbers.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+  QLocale::setDefault(numbers);
+  auto dialogs = std::make_unique<QTranslator>();  // the toolkit's own words: the dialog of files
+  const QString folder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
+  const QString file = language == Language::Chinese ? QStringLiteral("qtbase_zh_CN")
+                                                     : QStringLiteral("qtbase_") + languageCode(language);
+  if (dialogs->load(file, folder)) {
+    QCoreApplication::installTranslator(dialogs.get());
+    dialogs_ = std::move(dialogs);
+  }
   auto translator = std::make_unique<QTranslator>();
   if (!translator->load(QStringLiteral(":/translations/stillcut_%1.qm").arg(languageCode(language)))) return;
   QCoreApplication::installTranslator(translator.get());

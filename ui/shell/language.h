@@ -30,7 +30,7 @@ class Speaker {
 
  private:
   Language language_ = Language::English;
-  std::unique_ptr<QTranslator> translator_;
+  std::unique_ptr<QTranslator> translator_, dialogs_;
 };
 
 }  // namespace stillcut::ui

@@ -1,6 +1,7 @@
 #include "ui/shell/main_window.h"
 
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QGraphicsView>
@@ -138,6 +139,7 @@ void MainWindow::addPages() {
     connect(new QShortcut(key, centralWidget()), &QShortcut::activated, this, [this, index] { showPage(index); });
     connect(page, &Page::pageAsked, this, qOverload<const QString&>(&MainWindow::showPage));
     connect(page, &Page::fileAsked, this, &MainWindow::openFile);
+    connect(page, &Page::manualAsked, this, &MainWindow::openManual);
     connect(page, &Page::againAsked, this, &MainWindow::runAgain);
     connect(page, &Page::stateChanged, this, [this] { stateChanged_ = true; });
     connect(page, &Page::asked, this, [this](const OperatorInput& input) { session_.send(input, generation_); });
@@ -190,7 +192,7 @@ void MainWindow::tick(qint64 nowMs) {
   if (session_.generation() != generation_) meetSession();
   const bool replay = session_.replayShown();
   const Snapshot* live = replay ? session_.live() : snapshot;
-  freshness_.see(snapshot, nowMs);
+  freshness_.see(snapshot, nowMs, !replay);
   liveFreshness_.see(live, nowMs);
   if (snapshot != nullptr) history_.see(*snapshot);
   if (live != nullptr && live->running && !state_.guideSeen()) state_.setGuideSeen();
@@ -239,13 +241,17 @@ void MainWindow::showPage(int index) {
   stateChanged_ = true;
 }
 
-// The manual, the choice of theme, or a question that waits: the newest first. Never the machine.
+// A dialog of files, the manual, the choice of theme, what the page has laid over itself, or a question that waits:
+// what is on top, and one touch closes one. Never the machine.
 void MainWindow::closeTop() {
+  for (QDialog* dialog : findChildren<QDialog*>()) {
+    if (dialog->isVisible()) return dialog->reject();
+  }
   if (manual_->isVisible()) {
     manual_->hide();
   } else if (display_->isVisible()) {
     display_->hide();
-  } else {
+  } else if (!pages_[static_cast<std::size_t>(stack_->currentIndex())]->closeTop()) {
     command_->withdrawAsked();
   }
 }
@@ -318,14 +324,23 @@ void MainWindow::toggleDisplayPanel() {
 }
 
 // Over the right of the page: what stands on the left, the verdict first, stays in sight.
+void MainWindow::placeManual() {
+  QRect place = stack_->geometry();
+  place.setLeft(place.left() + place.width() * 2 / 5);
+  manual_->setGeometry(place);
+}
+
+void MainWindow::openManual(const QString& link) {
+  placeManual();
+  manual_->openLink(link);
+}
+
 void MainWindow::toggleManual() {
   if (manual_->isVisible()) {
     manual_->hide();
     return;
   }
-  QRect place = stack_->geometry();
-  place.setLeft(place.left() + place.width() * 2 / 5);
-  manual_->setGeometry(place);
+  placeManual();
   manual_->openAt(pageTable()[static_cast<std::size_t>(stack_->currentIndex())].number);
 }
 

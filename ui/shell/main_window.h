@@ -72,6 +72,8 @@ class MainWindow : public QMainWindow {
   void closeTop();
   void nextTheme();
   void toggleManual();
+  void openManual(const QString& link);
+  void placeManual();
   void toggleDisplayPanel();
   void setLook(const DisplayChoice& look);
   void retheme();

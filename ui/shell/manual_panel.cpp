@@ -117,6 +117,15 @@ QString ManualPanel::headingOnTop() const {
 }
 
 // A chapter that this language has is taken from it, whatever language the link was written in.
+void ManualPanel::openLink(const QString& link) {
+  raise();
+  show();
+  layout()->activate();
+  if (text_->source().isEmpty()) text_->setSource(chapterUrl(QStringLiteral("screens"), language_));
+  dress();
+  follow(QUrl(link));
+}
+
 void ManualPanel::follow(const QUrl& link) {
   const QUrl whole = text_->source().resolved(link);
   const QString file = whole.path();

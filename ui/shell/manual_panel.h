@@ -25,6 +25,8 @@ class ManualPanel : public QWidget, public Themed {
 
   // The chapter on the screens, at the part of page `number` (page_table.h).
   void openAt(int number);
+  // A chapter and a heading in it, as the chapters link to each other: "hardware.md#microphone".
+  void openLink(const QString& link);
   QUrl chapter() const;
   // Heading that the text begins with as it is scrolled.
   QString headingOnTop() const;

@@ -77,9 +77,11 @@ void CommandBar::display(const CommandView& view, qint64 nowMs) {
 void CommandBar::showButtons() {
   for (std::size_t k = 0; k < authority_.size(); ++k)
     authority_[k]->setChecked(view_.authority == static_cast<Authority>(k));
-  authority_[1]->setEnabled(view_.machine);
-  hold_->setEnabled(view_.machine);
-  authority_[1]->setToolTip(view_.machine ? QString() : tr("No machine link: the advice is for your hand"));
+  authority_[1]->setEnabled(view_.machine && !view_.over);
+  hold_->setEnabled(view_.machine && !view_.over);
+  authority_[1]->setToolTip(view_.over      ? tr("The run is over: there is nothing to advise on")
+                            : view_.machine ? QString()
+                                            : tr("No machine link: the advice is for your hand"));
   authority_[2]->setEnabled(view_.machine && (view_.autoAllowed || view_.authority == Authority::Auto));
   authority_[2]->setToolTip(!view_.machine      ? tr("No machine link: there is nothing to move")
                             : view_.autoAllowed ? QString()

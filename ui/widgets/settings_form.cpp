@@ -21,6 +21,11 @@ bool sameQuestions(const std::vector<config::SettingDecl>& a, const std::vector<
   });
 }
 
+// What is a file by its key.
+bool isFile(const config::SettingDecl& setting) {
+  return setting.kind == Kind::Text && (setting.key == "file" || setting.key == "scenario");
+}
+
 }  // namespace
 
 SettingsForm::SettingsForm(QWidget* parent)
@@ -115,7 +120,24 @@ QWidget* SettingsForm::makeEditor(const config::SettingDecl& setting, const QStr
   connect(edit, &QLineEdit::editingFinished, this, [this, edit, setting, key] {
     if (edit->text() != valueOf(setting)) emit edited(key, edit->text());
   });
-  return edit;
+  return isFile(setting) ? withBrowse(edit, setting) : edit;
+}
+
+// Beside the field: nobody has to know how a path is written.
+QWidget* SettingsForm::withBrowse(QLineEdit* edit, const config::SettingDecl& setting) {
+  auto* box = new QWidget;
+  auto* line = new QHBoxLayout(box);
+  line->setContentsMargins(0, 0, 0, 0);
+  auto* browse = new TouchButton(tr("BROWSE"));
+  browse->setObjectName(edit->objectName() + QStringLiteral("-browse"));
+  browse->setAccessibleName(tr("Choose a file: %1").arg(settingLabel(setting.key)));
+  browse->setBaseHeight(46);
+  browse->applyTheme(theme_);
+  line->addWidget(edit, 1);
+  line->addWidget(browse);
+  connect(browse, &TouchButton::clicked, this,
+          [this, key = QString::fromStdString(setting.key)] { emit fileWanted(key); });
+  return box;
 }
 
 void SettingsForm::applyTheme(const Theme& theme) {

@@ -10,6 +10,7 @@
 #include "core/config/component_settings.h"
 #include "ui/base/themed.h"
 
+class QLineEdit;
 class QVBoxLayout;
 
 namespace stillcut::ui {
@@ -27,10 +28,12 @@ class SettingsForm : public QWidget, public Themed {
  signals:
   // An empty value: as the part has it.
   void edited(const QString& key, const QString& value);
+  void fileWanted(const QString& key);  // somebody wants to choose it
 
  private:
   QString valueOf(const config::SettingDecl& setting) const;
   void showValue(const config::SettingDecl& setting);
+  QWidget* withBrowse(QLineEdit* edit, const config::SettingDecl& setting);
   QWidget* makeEditor(const config::SettingDecl& setting, const QString& value, const QString& name);
 
   Theme theme_;

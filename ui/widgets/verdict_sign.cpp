@@ -83,6 +83,10 @@ void VerdictSign::paintEvent(QPaintEvent*) {
   text.centred(
       QRectF(wordLeft, y, width() - pad - wordLeft, shape), view_.word,
       {type_size::kVerdict, true, view_.tone == Tone::Faint ? theme_.colors.secondary : front, Qt::AlignLeft, 0.65});
+  if (!view_.caption.isEmpty()) {
+    text.centred(QRectF(pad, theme_.px(6), room, theme_.px(26)), view_.caption,
+                 {type_size::kLabel, true, second, Qt::AlignLeft, 0.8});
+  }
   y += shape;
   if (freq > 0.0)
     y = text.line(pad, y + gap, room, view_.frequency, {type_size::kFrequency, true, front, Qt::AlignLeft, 0.8});

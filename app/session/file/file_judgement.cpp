@@ -114,6 +114,7 @@ ui::FileAnswer inWords(const ui::FileQuestion& question, const FileJudgement& ju
   for (const Message& line : evaluate::channelSentences(answer, writing)) words.details << sentenceOf(line);
   words.teeth = judgement.teeth;
   words.chatter = answer.chatter;
+  words.judgedTo = answer.hearsTo;
   words.spindle = Hertz(judgement.speed.value / 60.0);
   words.tracks = judgement.tracks;
   return words;

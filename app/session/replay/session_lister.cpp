@@ -12,6 +12,16 @@
 namespace stillcut::app {
 namespace {
 
+// Sessions are named by when they began, in UTC. What is inside says it better, once it has been looked at; when a file
+// was last changed says nothing: marking it changes it.
+qint64 beganByName(const QString& name) {
+  static const QString kForm = QStringLiteral("yyyy-MM-dd_HH-mm-ss");
+  QDateTime began = QDateTime::fromString(name.left(kForm.size()), kForm);
+  if (!began.isValid()) return 0;
+  began.setTimeSpec(Qt::UTC);
+  return began.toMSecsSinceEpoch();
+}
+
 // FOLDER/JOB/TOOL/TIME.h5, as sessions are named; anything else is its own job.
 ui::SessionEntry entryOf(const QString& folder, const std::string& path) {
   const QFileInfo file(QString::fromStdString(path));
@@ -21,9 +31,10 @@ ui::SessionEntry entryOf(const QString& folder, const std::string& path) {
   entry.job = parts.size() >= 3 ? parts[parts.size() - 3] : file.completeBaseName();
   entry.tool = parts.size() >= 2 ? parts[parts.size() - 2] : QStringLiteral(".");
   entry.wallMs = file.lastModified().toMSecsSinceEpoch();
+  entry.startedMs = beganByName(file.completeBaseName());
   entry.bytes = file.size();
-  entry.inside =
-      file.suffix() == QStringLiteral("h5") ? ui::SessionEntry::Inside::NotYet : ui::SessionEntry::Inside::No;
+  entry.session = file.suffix() == QStringLiteral("h5");
+  entry.inside = entry.session ? ui::SessionEntry::Inside::NotYet : ui::SessionEntry::Inside::No;
   return entry;
 }
 
@@ -89,7 +100,7 @@ void SessionLister::take(const QString& path, const std::optional<record::Sessio
     entry.markers = seen->markers;
     entry.alarms = seen->alarms;
     entry.alarmed = seen->alarmed;
-    entry.startedMs = seen->started_ns / 1'000'000;
+    if (seen->started_ns > 0) entry.startedMs = seen->started_ns / 1'000'000;
   }
 }
 

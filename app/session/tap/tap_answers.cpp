@@ -1,5 +1,6 @@
 #include <QDate>
 #include <QDir>
+#include <QFileInfo>
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -14,61 +15,105 @@
 // What a tap test gives: files in the place of a device, modes, lobes, and what is kept of them.
 namespace stillcut::app {
 
-void TapBench::openFiles(const QStringList& paths) {
+// What the second axis needs is opened beside what the first one has; a file that cannot be read changes nothing.
+void TapBench::openFiles(const QStringList& paths, int axis) {
   if (paths.isEmpty()) return;
   stopListening();
-  const bool measured = std::any_of(axes_.begin(), axes_.end(), [](const Axis& axis) { return axis.test.has_value(); });
-  if (!files_.isEmpty() || !measured) {
-    files_ = paths;
-    without_ = {};
-    return readFiles();
-  }
-  // What was measured here goes only when there is something in its place.
+  wanted_ = paths;
+  wantedAxis_ = axis;
+  fileReading_ = {};
+  readFiles(paths, {axis, {}, {}});
+}
+
+void TapBench::answer(const ui::TapAnswers& answers) {
+  if (wanted_.isEmpty()) return;
+  fileReading_.answers = answers;
+  readFiles(wanted_, {wantedAxis_, {}, answers});
+}
+
+void TapBench::readFiles(const QStringList& paths, const TapReading& reading) {
   std::vector<std::string> names;
   for (const QString& path : paths) names.push_back(path.toStdString());
+  fileReading_.runs = true;
+  fileReading_.problem.clear();
   reading_.start(
       ui::TaskState::What::Reading, paths.front(),
-      [this, names, paths](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-        if (auto read = fromFiles(names, {}); !read) return read.error();
-        return BackgroundTask::Apply([this, paths] {
-          files_ = paths;
-          without_ = {};
-          readFiles();
-        });
+      [this, names, paths, reading](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        auto read = fromFiles(names, reading);
+        if (!read) return read.error();
+        return BackgroundTask::Apply(
+            [this, paths, reading, read = std::move(*read)] { takeFiles(paths, reading, read); });
       },
-      [this](const Error& error) {
-        listening_.state = ui::TapListening::State::Failed;
-        listening_.problem = ui::sayError(error);
+      [this, reading](const Error& error) { notTaken(error, reading); });
+}
+
+void TapBench::takeFiles(const QStringList& paths, const TapReading& reading, TapFiles read) {
+  fileReading_.runs = false;
+  fileReading_.problem.clear();
+  files_ = paths;
+  for (std::size_t a = 0; a < read.axes.size(); ++a) {
+    if (!read.there[a]) continue;
+    Axis& axis = axes_[a];
+    axis.fitting.leave();
+    axis.test.reset();
+    axis.files = paths;
+    axis.reading = reading;
+    read.axes[a].shown.remarks = read.remarks + read.axes[a].shown.remarks;
+    take(axis, std::move(read.axes[a]));
+  }
+}
+
+// An axis that has nothing shows why; what another has stays.
+void TapBench::notTaken(const Error& error, const TapReading& reading) {
+  fileReading_.runs = false;
+  for (const ui::TapQuestion question : questionsOf(error)) {
+    auto& known = fileReading_.questions;
+    if (std::ranges::find(known, question) == known.end()) known.push_back(question);
+  }
+  fileReading_.flipAsked = fileReading_.flipAsked || asksToFlip(error);
+  const bool asks = !questionsOf(error).empty() || asksToFlip(error);
+  const Error plain{error.where, error.what};
+  const QString rest = QCoreApplication::translate("Tap", "Say it below and touch READ.");
+  fileReading_.problem = asks ? ui::sayError(plain) + QStringLiteral(". ") + rest : ui::sayError(error);
+  ui::TapResponse& shown = axisOf(reading.axis).known.shown;
+  if (shown.state != ui::TapResponse::State::None && shown.state != ui::TapResponse::State::Failed) return;
+  shown.state = ui::TapResponse::State::Failed;
+  shown.problem = fileReading_.problem;
+  changed(shown);
+}
+
+// One axis of files again, with other hits left out. The other one keeps its own.
+void TapBench::readHitsAnew(int axis) {
+  Axis& one = axisOf(axis);
+  std::vector<std::string> names;
+  for (const QString& path : one.files) names.push_back(path.toStdString());
+  one.known.shown.state = ui::TapResponse::State::Working;
+  changed(one.known.shown);
+  const std::size_t at = axis == 1 ? 1 : 0;
+  one.fitting.start(
+      ui::TaskState::What::Reading, one.files.front(),
+      [this, names, at, reading = one.reading](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        auto read = fromFiles(names, reading);
+        TapAxis found;
+        if (read) {
+          found = std::move(read->axes[at]);
+          found.shown.remarks = read->remarks + found.shown.remarks;
+        } else {
+          found.shown.state = ui::TapResponse::State::Failed;
+          found.shown.problem = ui::sayError(read.error());
+        }
+        return BackgroundTask::Apply([this, at, found = std::move(found)] { take(axes_[at], found); });
       });
 }
 
-void TapBench::readFiles() {
-  std::vector<std::string> paths;
-  for (const QString& path : files_) paths.push_back(path.toStdString());
-  for (Axis& axis : axes_) {
-    axis.fitting.leave();
-    axis.test.reset();
-    axis.known.shown.state = ui::TapResponse::State::Working;
-    changed(axis.known.shown);
+QStringList TapBench::sources() const {
+  QStringList all;
+  for (const Axis& axis : axes_) {
+    for (const QString& file : axis.files) {
+      if (!all.contains(file)) all << file;
+    }
   }
-  const auto failed = [this](const Error& error) {
-    for (Axis& axis : axes_) take(axis, {});
-    axes_[0].known.shown.state = ui::TapResponse::State::Failed;
-    axes_[0].known.shown.problem = ui::sayError(error);
-  };
-  reading_.start(
-      ui::TaskState::What::Reading, files_.front(),
-      [this, paths, without = without_](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-        auto read = fromFiles(paths, without);
-        if (!read) return read.error();
-        return BackgroundTask::Apply([this, read = std::move(*read)]() mutable {
-          for (std::size_t a = 0; a < read.axes.size(); ++a) {
-            if (read.there[a]) read.axes[a].shown.remarks = read.remarks + read.axes[a].shown.remarks;
-            take(axes_[a], std::move(read.axes[a]));
-          }
-        });
-      },
-      failed);
+  return all;
 }
 
 const ui::TapResponse& TapBench::response(int axis) const {
@@ -142,11 +187,20 @@ void TapBench::computeAnew() {
                    });
 }
 
+QString TapBench::keptAlready(ui::TapKept what, const QString& name) const {
+  if (folder_.isEmpty()) return {};
+  const QDir place(
+      QDir(folder_).filePath(what == ui::TapKept::Modes ? QStringLiteral("modes") : QStringLiteral("cuts")));
+  const QString path = place.absoluteFilePath(fileNameOf(name));
+  return QFileInfo::exists(path) ? path : QString();
+}
+
 Result<QString> TapBench::saveModes(const QString& name) {
   identify::ModesFile file;
   file.modes = modes();
   if (file.modes.empty()) return Error{message("modes"), message("there are none to keep")};
-  file.source = files_.isEmpty() ? "tap test" : files_.join(QStringLiteral(", ")).toStdString();
+  const QStringList from = sources();
+  file.source = from.isEmpty() ? "tap test" : from.join(QStringLiteral(", ")).toStdString();
   bool first = true;
   for (const Axis& axis : axes_) {
     const identify::ModalFit& fit = axis.known.fit;

@@ -94,6 +94,8 @@ std::vector<ui::TapDevice> TapBench::devices() const {
 
 void TapBench::listen(const QString& device) {
   stopListening();
+  fileReading_ = {};
+  files_.clear();
   listening_ = {};
   listening_.device = device;
   openDevice();
@@ -238,10 +240,8 @@ void TapBench::begin(int axis) {
     }
     chooseAlong();
   }
-  if (!files_.isEmpty()) {
-    files_.clear();
-    for (Axis& one : axes_) take(one, {});
-  }
+  files_.clear();
+  fileReading_ = {};
   const auto channels = listener_.channels();
   identify::TapTestOptions options;
   options.withForce = listening_.force >= 0;
@@ -253,6 +253,7 @@ void TapBench::begin(int axis) {
   Axis& one = axisOf(axis);
   one.test.emplace(listening_.rate.value, options);
   one.fitting.leave();
+  one.files.clear();
   take(one, {});
   running_ = true;
   gap_ = false;
@@ -288,17 +289,18 @@ void TapBench::showHits(Axis& axis) {
 void TapBench::useHit(int axis, std::size_t hit, bool use) {
   Axis& one = axisOf(axis);
   if (hit >= one.hits.size()) return;
-  if (files_.isEmpty()) {
+  if (one.files.isEmpty()) {
+    if (!one.test) return;
     one.test->use(hit, use);
     showHits(one);
     return fit(axis);
   }
-  std::vector<int>& out = without_[axis == 1 ? std::size_t{1} : std::size_t{0}];
+  std::vector<int>& out = one.reading.without[axis == 1 ? std::size_t{1} : std::size_t{0}];
   const int number = static_cast<int>(hit) + 1;
   const auto at = std::find(out.begin(), out.end(), number);
   if (use && at != out.end()) out.erase(at);
   if (!use && at == out.end()) out.push_back(number);
-  readFiles();
+  readHitsAnew(axis);
 }
 
 void TapBench::fit(int axis) {

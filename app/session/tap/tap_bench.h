@@ -46,8 +46,10 @@ class TapBench final : public ui::TapController {
   ui::TapRun run() const override;
   const std::vector<ui::TapHitRow>& hits(int axis) const override;
   void useHit(int axis, std::size_t hit, bool use) override;
-  void openFiles(const QStringList& paths) override;
+  void openFiles(const QStringList& paths, int axis) override;
   const QStringList& files() const override { return files_; }
+  const ui::TapFileReading& reading() const override { return fileReading_; }
+  void answer(const ui::TapAnswers& answers) override;
   const ui::TapResponse& response(int axis) const override;
   void useMode(int axis, std::size_t mode, bool use) override;
   std::vector<ui::TapMaterial> materials() const override;
@@ -56,6 +58,7 @@ class TapBench final : public ui::TapController {
   QStringList tools() const override;
   ui::TapCut withTool(ui::TapCut cut, const QString& tool) const override;
   Result<QString> saveCut(const QString& tool) override;
+  QString keptAlready(ui::TapKept what, const QString& name) const override;
   Result<QString> saveModes(const QString& name) override;
 
  private:
@@ -64,6 +67,8 @@ class TapBench final : public ui::TapController {
     std::vector<ui::TapHitRow> hits;
     TapAxis known;
     BackgroundTask fitting;
+    QStringList files;   // that it is from; empty: measured here, or not at all
+    TapReading reading;  // of them
   };
   Axis& axisOf(int axis) { return axes_[axis == 1 ? std::size_t{1} : std::size_t{0}]; }
   const Axis& axisOf(int axis) const { return axes_[axis == 1 ? std::size_t{1} : std::size_t{0}]; }
@@ -76,7 +81,11 @@ class TapBench final : public ui::TapController {
   void fit(int axis);
   void take(Axis& axis, TapAxis found);
   void changed(ui::TapResponse& response) { response.version = ++versions_; }
-  void readFiles();
+  void readFiles(const QStringList& paths, const TapReading& reading);
+  void takeFiles(const QStringList& paths, const TapReading& reading, TapFiles read);
+  void notTaken(const Error& error, const TapReading& reading);
+  void readHitsAnew(int axis);
+  QStringList sources() const;
   void computeAnew();
   std::vector<identify::IdentifiedMode> modes() const;
   Result<QString> fileIn(const char* folder, const QString& name) const;
@@ -91,8 +100,10 @@ class TapBench final : public ui::TapController {
   bool beginning_ = false;     // once the device is heard
   bool withoutForce_ = false;  // somebody has said so
   bool gap_ = false;           // since the last block that was handed on
-  QStringList files_;
-  TapHitsOut without_;
+  QStringList files_;          // shown last; empty: a device's
+  QStringList wanted_;         // asked for last, and along which axis
+  int wantedAxis_ = 0;
+  ui::TapFileReading fileReading_;
   BackgroundTask reading_, computing_;
   ui::TapLobes lobes_;
   std::optional<ui::TapCut> asked_;

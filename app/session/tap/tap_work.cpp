@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "app/compose/measure_samples.h"
@@ -115,8 +117,116 @@ TapAxis fromDecays(const std::vector<identify::HammerRecord>& records) {
   return axis;
 }
 
-int indexOf(Axis axis) {
-  return axis == Axis::Y ? 1 : 0;
+int indexOf(Axis axis, int otherwise) {
+  return axis == Axis::Y ? 1 : axis == Axis::X ? 0 : otherwise;
+}
+
+// In English, as the command line asks for it; only the screen's own words are shown.
+struct AskedBy {
+  std::string_view option;
+  ui::TapQuestion question;
+};
+constexpr AskedBy kAsked[] = {{"--force-unit", ui::TapQuestion::ForceUnit},
+                              {"--response-unit", ui::TapQuestion::ResponseUnit},
+                              {"--force-sensitivity", ui::TapQuestion::ForceSensitivity},
+                              {"--response-sensitivity", ui::TapQuestion::ResponseSensitivity},
+                              {"--force-scale", ui::TapQuestion::ForceFullScale},
+                              {"--response-scale", ui::TapQuestion::ResponseFullScale},
+                              {"--force", ui::TapQuestion::Hammer},
+                              {"--response", ui::TapQuestion::Sensor},
+                              {"--frequency-unit", ui::TapQuestion::FrequencyUnit},
+                              {"--phase-unit", ui::TapQuestion::PhaseUnit},
+                              {"--unit", ui::TapQuestion::Unit}};
+
+// "--force" is not asked for by "--force-unit".
+bool mentions(std::string_view text, std::string_view option) {
+  for (std::size_t at = text.find(option); at != std::string_view::npos; at = text.find(option, at + 1)) {
+    const std::size_t after = at + option.size();
+    if (after == text.size() || text[after] != '-') return true;
+  }
+  return false;
+}
+
+std::optional<double> typedNumber(const QString& text) {
+  bool isNumber = false;
+  const double value = QString(text).replace(u',', u'.').toDouble(&isNumber);
+  return isNumber && value > 0.0 ? std::optional(value) : std::nullopt;
+}
+
+identify::ModalRequest requestOf(const TapReading& reading) {
+  identify::ModalRequest request;
+  // What is along no axis that anybody knows is shown along the one of the button.
+  request.without = {{Axis::Unknown, reading.without[reading.axis == 1 ? 1 : 0]},
+                     {Axis::X, reading.without[0]},
+                     {Axis::Y, reading.without[1]}};
+  request.hammer.flipResponse = reading.answers.flip;
+  identify::ImportOptions& import = request.import;
+  for (const auto& [question, said] : reading.answers.said) {
+    const std::string text = said.trimmed().toStdString();
+    if (text.empty()) continue;
+    switch (question) {
+      case ui::TapQuestion::Hammer:
+        import.force = text;
+        break;
+      case ui::TapQuestion::Sensor:
+        import.responses = {text};
+        break;
+      case ui::TapQuestion::ForceUnit:
+        import.forceUnit = text;
+        break;
+      case ui::TapQuestion::ResponseUnit:
+        import.responseUnit = text;
+        break;
+      case ui::TapQuestion::ForceSensitivity:
+        import.forceSensitivity = text;
+        break;
+      case ui::TapQuestion::ResponseSensitivity:
+        import.responseSensitivity = text;
+        break;
+      case ui::TapQuestion::ForceFullScale:
+        import.forceScale = typedNumber(said);
+        break;
+      case ui::TapQuestion::ResponseFullScale:
+        import.responseScale = typedNumber(said);
+        break;
+      case ui::TapQuestion::Unit:
+        import.unit = text;
+        break;
+      case ui::TapQuestion::FrequencyUnit:
+        import.frequencyUnit = text;
+        break;
+      case ui::TapQuestion::PhaseUnit:
+        import.phaseUnit = text;
+        break;
+    }
+  }
+  import.open = [](const std::string& path, const record::ReadOptions& options) {
+    return record::openRecording(path, options);
+};
+return request;
+}  // namespace
+
+// Several responses, and their channels say along which axis each lies: each axis by itself. Where none says it, the
+// one of the button.
+Result<identify::ModalAnswer> measureAlongAxes(const std::vector<std::string>& paths, const TapReading& reading) {
+  identify::ModalRequest request = requestOf(reading);
+  auto measured = identify::measureResponses(paths, request);
+  if (measured || !mentions(measured.error().line(), "--axis")) return measured;
+  identify::ModalAnswer both;
+  std::optional<Error> why;  // of the axis in turn, where it is something else
+  for (const Axis axis : {Axis::X, Axis::Y}) {
+    request.import.axes = {axis};
+    auto along = identify::measureResponses(paths, request);
+    if (!along) {
+      const bool inTurn = (axis == Axis::Y) == (reading.axis == 1);
+      if (inTurn && !mentions(along.error().line(), "--axis")) why = along.error();
+      continue;
+    }
+    for (AxisModes& found : along->axes) both.axes.push_back(std::move(found));
+    if (both.remarks.empty()) both.remarks = std::move(along->remarks);
+  }
+  if (both.axes.empty()) return why ? Result<identify::ModalAnswer>(*why) : measured;
+  return both;
 }
 
 ui::TapFault faultOf(const identify::Hit& hit) {
@@ -180,7 +290,7 @@ bool speaksOfMore(const ChannelInfo& channel) {
 }
 
 // Recordings without a hammer channel: a phone's sound, an accelerometer alone.
-Result<TapFiles> fromResponses(const std::vector<std::string>& paths) {
+Result<TapFiles> fromResponses(const std::vector<std::string>& paths, int otherwise) {
   constexpr double kLength = 0.4;  // [s] of a hit
   std::vector<std::vector<identify::HammerRecord>> records(ui::kTapAxes);
   for (const std::string& path : paths) {
@@ -196,7 +306,8 @@ Result<TapFiles> fromResponses(const std::vector<std::string>& paths) {
       for (identify::HammerRecord& hit : identify::cutDecays(samples, heard->rate.value, kLength)) {
         hit.source = path;
         if (heard->channels[c].quantity == SensorQuantity::Velocity) hit.quantity = identify::FrfQuantity::Mobility;
-        records[axis == "y" ? 1 : 0].push_back(std::move(hit));
+        const bool alongY = axis == "y" || (axis != "x" && otherwise == 1);
+        records[alongY ? 1 : 0].push_back(std::move(hit));
       }
     }
   }
@@ -216,7 +327,7 @@ Result<TapFiles> fromResponses(const std::vector<std::string>& paths) {
   return files;
 }
 
-}  // namespace
+}  // namespace stillcut::app
 
 TapAxis fromRecords(const std::vector<identify::HammerRecord>& records, const identify::TapTestOptions& options) {
   if (!options.withForce) return fromDecays(records);
@@ -225,27 +336,34 @@ TapAxis fromRecords(const std::vector<identify::HammerRecord>& records, const id
   return fromResponse(analysed->frf, analysed->remarks);
 }
 
-Result<TapFiles> fromFiles(const std::vector<std::string>& paths, const TapHitsOut& without) {
+std::vector<ui::TapQuestion> questionsOf(const Error& error) {
+  const std::string line = error.line();
+  std::vector<ui::TapQuestion> questions;
+  for (const AskedBy& asked : kAsked) {
+    if (mentions(line, asked.option)) questions.push_back(asked.question);
+  }
+  return questions;
+}
+
+bool asksToFlip(const Error& error) {
+  return mentions(error.line(), "--flip");
+}
+
+Result<TapFiles> fromFiles(const std::vector<std::string>& paths, const TapReading& reading) {
   if (paths.size() == 1 && paths.front().ends_with(".toml")) {
     const auto modes = identify::loadModes(paths.front());
     if (!modes) return modes.error();
     return fromModes(*modes);
   }
-  identify::ModalRequest request;
-  // What is along no axis that anybody knows is shown as x.
-  request.without = {{Axis::Unknown, without[0]}, {Axis::X, without[0]}, {Axis::Y, without[1]}};
-  request.import.open = [](const std::string& path, const record::ReadOptions& options) {
-    return record::openRecording(path, options);
-  };
-  auto measured = identify::measureResponses(paths, request);
+  auto measured = measureAlongAxes(paths, reading);
   if (!measured) {
-    auto alone = fromResponses(paths);
+    auto alone = fromResponses(paths, reading.axis);
     return alone ? std::move(alone) : Result<TapFiles>(measured.error());
   }
   TapFiles files = empty();
   remark(measured->remarks, files.remarks);
   for (AxisModes& found : measured->axes) {
-    const auto at = static_cast<std::size_t>(indexOf(found.axis));
+    const auto at = static_cast<std::size_t>(indexOf(found.axis, reading.axis));
     if (!found.frf.unitKnown) {
       auto unit = identify::unitByStiffness(found.frf, {});
       if (!unit) return unit.error();

@@ -30,9 +30,17 @@ struct TapFiles {
   std::vector<bool> there;    // which were measured
   QStringList remarks;
 };
-// Hammer records, frequency responses, a file of modes, or recordings without force. `without`: hits left out along
-// each axis, as they are numbered over all files, from 1.
-Result<TapFiles> fromFiles(const std::vector<std::string>& paths, const TapHitsOut& without);
+struct TapReading {
+  int axis = 0;        // of files that name none
+  TapHitsOut without;  // hits left out along each axis, as they are numbered over all files, from 1
+  ui::TapAnswers answers;
+};
+// Hammer records, frequency responses, a file of modes, or recordings without force. Where the channels name both axes
+// both are taken.
+Result<TapFiles> fromFiles(const std::vector<std::string>& paths, const TapReading& reading);
+// What an error of fromFiles() asks for.
+std::vector<ui::TapQuestion> questionsOf(const Error& error);
+bool asksToFlip(const Error& error);
 
 // The ticked modes' compliance at the lines shown.
 void drawFit(TapAxis& axis);

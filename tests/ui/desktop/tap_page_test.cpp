@@ -2,9 +2,11 @@
 #include <QAbstractItemModel>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <cmath>
 
 #include "app/session/tap/tap_bench.h"
 #include "core/milling/identify/model_files.h"
@@ -142,10 +144,10 @@ TEST_F(TapPageTest, AHitAndAModeCanBeLeftOutAndTheRestIsKept) {
   ASSERT_EQ(kept->modes.size(), 1U);
   EXPECT_NEAR(kept->modes[0].mode.frequency.value, 872.0, 3.0);
   // A file that cannot be read leaves what was measured.
-  bench_.openFiles({folder_.filePath(QStringLiteral("none.csv"))});
-  ASSERT_TRUE(until([&] { return bench_.listening().state == TapListening::State::Failed; }));
+  bench_.openFiles({folder_.filePath(QStringLiteral("none.csv"))}, 0);
+  ASSERT_TRUE(until([&] { return !bench_.reading().problem.isEmpty(); }));
   EXPECT_EQ(bench_.response(0).modes.size(), 2U);
-  bench_.openFiles({folder_.filePath(QStringLiteral("modes/T12.toml"))});
+  bench_.openFiles({folder_.filePath(QStringLiteral("modes/T12.toml"))}, 0);
   const auto taken = [&] { return !bench_.files().isEmpty() && bench_.response(0).state == TapResponse::State::Done; };
   ASSERT_TRUE(until(taken));
   EXPECT_EQ(bench_.response(0).modes.size(), 1U) << "and what was kept can be looked at again";
@@ -173,11 +175,108 @@ TEST_F(TapPageTest, WhatIsNoTapTestIsSaidInOneLine) {
   ASSERT_TRUE(letter.open(QIODevice::WriteOnly));
   letter.write("Dear customer,\nthank you for your order.\n");
   letter.close();
-  bench_.openFiles({file});
+  bench_.openFiles({file}, 0);
   ASSERT_TRUE(until([&] { return bench_.response(0).state == TapResponse::State::Failed; }));
   tick(40);
   EXPECT_EQ(text("tap-sign"), QStringLiteral("Not measured"));
   EXPECT_TRUE(text("tap-detail").contains(QStringLiteral("letter.csv"))) << text("tap-detail").toStdString();
+}
+
+// One hit on a structure of one mode, as a logger writes it.
+void writeHit(const QString& path, const QString& header, double frequency, int responses, double perVolt = 1.0) {
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(header.toUtf8() + '\n');
+  constexpr double kStep = 1.0 / 51200.0, kMass = 0.5, kPulse = 0.25e-3, kBefore = 0.01;
+  const double w = kTwoPi * frequency, damping = 0.03;
+  double x = 0.0, v = 0.0;
+  for (int i = 0; i < 20480; ++i) {
+    const double at = i * kStep, in = at - kBefore;
+    const double force = in > 0.0 && in < kPulse ? 300.0 * std::sin(kTwoPi * 0.5 * in / kPulse) : 0.0;
+    const double a = force / kMass - 2.0 * damping * w * v - w * w * x;
+    v += a * kStep;
+    x += v * kStep;
+    QByteArray line = QByteArray::number(at, 'g', 9) + ',' + QByteArray::number(force * perVolt, 'g', 9);
+    for (int c = 0; c < responses; ++c) line += ',' + QByteArray::number(a * perVolt * (1.0 - 0.2 * c), 'g', 9);
+    file.write(line + '\n');
+  }
+}
+
+TEST_F(TapPageTest, ChannelsThatNameBothAxesGiveBoth) {
+  openTap();
+  const QString file = folder_.filePath(QStringLiteral("both.csv"));
+  writeHit(file, QStringLiteral("time [s],Force [N],AccX [m/s^2],AccY [m/s^2]"), 872.0, 2);
+  bench_.openFiles({file}, 0);
+  ASSERT_TRUE(until([&] { return !bench_.reading().runs; }));
+  EXPECT_TRUE(bench_.reading().problem.isEmpty()) << bench_.reading().problem.toStdString();
+  for (int axis = 0; axis < kTapAxes; ++axis) {
+    ASSERT_EQ(bench_.response(axis).state, TapResponse::State::Done) << axis;
+    EXPECT_NEAR(bench_.response(axis).modes[0].frequency.value, 872.0, 10.0);
+  }
+}
+
+TEST_F(TapPageTest, TheSecondAxisIsOpenedBesideTheFirstAndAWrongFileLosesNothing) {
+  openTap();
+  const QString x = folder_.filePath(QStringLiteral("first.csv")), y = folder_.filePath(QStringLiteral("second.csv"));
+  writeHit(x, QStringLiteral("time [s],Force [N],Acc [m/s^2]"), 700.0, 1);
+  writeHit(y, QStringLiteral("time [s],Force [N],Acc [m/s^2]"), 900.0, 1);
+  bench_.openFiles({x}, 0);
+  ASSERT_TRUE(until([&] { return bench_.response(0).state == TapResponse::State::Done; }));
+  press(QStringLiteral("tap-y"));
+  bench_.openFiles({y}, 1);
+  ASSERT_TRUE(until([&] { return bench_.response(1).state == TapResponse::State::Done; }));
+  ASSERT_EQ(bench_.response(0).state, TapResponse::State::Done) << "the first axis is still there";
+  EXPECT_NEAR(bench_.response(0).modes[0].frequency.value, 700.0, 10.0);
+  EXPECT_NEAR(bench_.response(1).modes[0].frequency.value, 900.0, 10.0);
+  bench_.openFiles({folder_.filePath(QStringLiteral("none.csv"))}, 1);
+  ASSERT_TRUE(until([&] { return !bench_.reading().runs; }));
+  tick(40);
+  EXPECT_EQ(text("tap-sign"), QStringLiteral("Not measured"));
+  for (int axis = 0; axis < kTapAxes; ++axis) EXPECT_EQ(bench_.response(axis).state, TapResponse::State::Done);
+}
+
+TEST_F(TapPageTest, WhatAFileDoesNotSayIsAskedOnThePage) {
+  openTap();
+  const QString file = folder_.filePath(QStringLiteral("volts.csv"));
+  writeHit(file, QStringLiteral("time [s],Force [V],Acc [V]"), 872.0, 1, 0.01);
+  bench_.openFiles({file}, 0);
+  ASSERT_TRUE(until([&] { return !bench_.reading().runs; }));
+  tick(40);
+  ASSERT_FALSE(bench_.reading().questions.empty());
+  EXPECT_FALSE(text("tap-detail").contains(QStringLiteral("--"))) << text("tap-detail").toStdString();
+  const auto answer = [&](TapQuestion question, const QString& said) {
+    auto* field = find<QLineEdit>(QStringLiteral("tap-question-%1").arg(static_cast<int>(question)));
+    if (field != nullptr) field->setText(said);
+  };
+  savePage(*window_, "tap", kPageLooks[0], "asks");
+  for (int round = 0; round < 3 && !bench_.reading().problem.isEmpty(); ++round) {
+    answer(TapQuestion::ForceSensitivity, QStringLiteral("10 mV/N"));
+    answer(TapQuestion::ResponseSensitivity, QStringLiteral("10 mV/(m/s^2)"));
+    press(QStringLiteral("tap-read"));
+    ASSERT_TRUE(until([&] { return !bench_.reading().runs; }));
+    tick(40);
+  }
+  ASSERT_TRUE(bench_.reading().problem.isEmpty()) << bench_.reading().problem.toStdString();
+  EXPECT_NEAR(bench_.response(0).modes[0].frequency.value, 872.0, 10.0);
+  EXPECT_FALSE(find<TouchButton>("tap-read")->isVisible());
+}
+
+TEST_F(TapPageTest, KeepAsksBeforeItOverwrites) {
+  openTap();
+  const QString file = folder_.filePath(QStringLiteral("hit.csv"));
+  writeHit(file, QStringLiteral("time [s],Force [N],Acc [m/s^2]"), 872.0, 1);
+  bench_.openFiles({file}, 0);
+  ASSERT_TRUE(until([&] { return bench_.response(0).state == TapResponse::State::Done; }));
+  press(QStringLiteral("tap-find-modes"));
+  tick(40);
+  find<QLineEdit>(QStringLiteral("tap-name"))->setText(QStringLiteral("T12"));
+  press(QStringLiteral("tap-keep"));
+  EXPECT_TRUE(text("tap-kept").startsWith(QStringLiteral("Kept")));
+  press(QStringLiteral("tap-keep"));
+  EXPECT_TRUE(text("tap-kept").contains(QStringLiteral("again"))) << text("tap-kept").toStdString();
+  EXPECT_TRUE(find<TouchButton>("tap-keep")->asking());
+  press(QStringLiteral("tap-keep"));
+  EXPECT_TRUE(text("tap-kept").startsWith(QStringLiteral("Kept")));
 }
 
 class TapPictures : public TapPageTest, public testing::WithParamInterface<PageLook> {};

@@ -63,7 +63,9 @@ TEST(SignalHistory, WhatIsMissingIsAGapAndIsNotDrawn) {
   history.prepare(oneChannel());
   history.add(blockOf(at(0.0), std::vector<float>(100, 1.0F)));
   history.add(blockOf(at(0.1), std::vector<float>(100, 1.0F)));
-  history.add(blockOf(at(0.4), std::vector<float>(100, 1.0F)));
+  SampleBlock late = blockOf(at(0.4), std::vector<float>(100, 1.0F));
+  late.flags |= kBlockGap;
+  history.add(late);
   ASSERT_EQ(history.gaps().size(), 1U) << "blocks that follow each other are one piece";
   EXPECT_NEAR(secondsBetween(at(0.2), history.gaps()[0].from).value, 0.0, 1e-6);
   EXPECT_NEAR(secondsBetween(at(0.4), history.gaps()[0].to).value, 0.0, 1e-6);
@@ -72,6 +74,32 @@ TEST(SignalHistory, WhatIsMissingIsAGapAndIsNotDrawn) {
   EXPECT_FALSE(extents[2].present);
   EXPECT_FALSE(extents[3].present);
   EXPECT_TRUE(extents[4].present);
+}
+
+TEST(SignalHistory, WhatTheScreenMissedIsEmptyAndNoGapOfSamples) {
+  SignalHistory history;
+  history.prepare(oneChannel());
+  history.add(blockOf(at(0.0), std::vector<float>(100, 1.0F)));
+  history.add(blockOf(at(0.4), std::vector<float>(100, 1.0F)));
+  EXPECT_TRUE(history.gaps().empty());
+  EXPECT_FALSE(history.extents(0, at(0.0), at(0.5), 5)[2].present);
+}
+
+TEST(EventLog, AnAlarmIsAnOnsetUntilItHasBecomeChatter) {
+  Snapshot s;
+  s.detectorCount = 1;
+  s.number = 1;
+  s.eventCount = 1;
+  s.events[0] = {at(1.0), 0, EventLevel::Warning, {ReasonCode::ChatterBegan, {1713.0, 0.3}}};
+  s.verdicts[0].valid = true;
+  s.verdicts[0].state = CutState::Onset;
+  EventLog log;
+  log.see(s);
+  ASSERT_EQ(log.events().size(), 1U);
+  EXPECT_TRUE(eventSentence(log.events()[0], UnitSystem::Metric).startsWith(QStringLiteral("Onset")));
+  s.verdicts[0].state = CutState::Chatter;
+  log.see(s);
+  EXPECT_TRUE(eventSentence(log.events()[0], UnitSystem::Metric).startsWith(QStringLiteral("Chatter")));
 }
 
 // The stamps of a device whose clock is being followed: each block a little off from where the one before ended, and a

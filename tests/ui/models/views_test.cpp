@@ -10,6 +10,7 @@
 #include "ui/models/machine_view.h"
 #include "ui/models/severity_trend.h"
 #include "ui/models/strip_view.h"
+#include "ui/models/verdict_view.h"
 
 namespace stillcut::ui {
 namespace {
@@ -431,6 +432,83 @@ TEST(Freshness, CountsFromTheLastChange) {
   ++s.number;
   freshness.see(&s, 1600);
   EXPECT_FALSE(freshness.stale());
+}
+
+TEST(Freshness, AWorkerThatLagsMakesNoLivePictureHoweverOftenItPublishes) {
+  Scene s = chatterScene();
+  s.snapshot.autoAllowed = true;
+  s.snapshot.authority = Authority::Advise;
+  s.snapshot.health.blockAge = Seconds(24.0);
+  Freshness freshness;
+  for (qint64 now = 1000; now < 3000; now += 40) {
+    ++s.snapshot.number;
+    freshness.see(&s.snapshot, now);
+  }
+  EXPECT_TRUE(freshness.stale());
+  EXPECT_NEAR(freshness.age().value, 24.0, 0.1);
+  Picture picture = s.picture();
+  picture.age = freshness.age();
+  picture.stale = true;
+  const VerdictView verdict = makeVerdictView(picture, Trend::Unknown);
+  EXPECT_EQ(verdict.word, QStringLiteral("NO VERDICT"));
+  EXPECT_TRUE(verdict.detail.contains(QStringLiteral("24")) && verdict.detail.contains(QStringLiteral("behind")))
+      << verdict.detail.toStdString();
+  const CommandView command = makeCommandView(picture);
+  EXPECT_FALSE(command.autoAllowed);
+  EXPECT_TRUE(command.since.contains(QStringLiteral("behind"))) << command.since.toStdString();
+  EXPECT_FALSE(makeStrip(picture)[1].value.contains(QStringLiteral("nothing"))) << "samples do come";
+  freshness.see(&s.snapshot, 3000, false);
+  s.snapshot.health.blockAge = Seconds(0.02);
+  ++s.snapshot.number;
+  freshness.see(&s.snapshot, 3040);
+  EXPECT_FALSE(freshness.stale()) << "it has caught up";
+}
+
+TEST(VerdictView, AReplaySaysSoAboveTheWord) {
+  Scene s = chatterScene();
+  Picture picture = s.picture();
+  EXPECT_TRUE(makeVerdictView(picture, Trend::Unknown).caption.isEmpty());
+  picture.replay = true;
+  EXPECT_EQ(makeVerdictView(picture, Trend::Unknown).caption, QStringLiteral("REPLAY"));
+}
+
+TEST(AdviceView, TouchingAdviseKeepsTheSpeedThatWasOffered) {
+  Scene s = chatterScene();
+  s.snapshot.advice = speedAdvice();
+  const QString offered = makeAdviceView(s.picture()).target;
+  s.snapshot.authority = Authority::Advise;
+  EXPECT_EQ(makeAdviceView(s.picture()).target, offered);
+  EXPECT_FALSE(makeAdviceView(s.picture()).canAnswer()) << "nobody has asked yet";
+  s.snapshot.request.reason = {ReasonCode::AdviceRefused, {8565.0, 1370.0}};
+  EXPECT_NE(makeAdviceView(s.picture()).target, offered) << "refused is refused";
+}
+
+TEST(AdviceView, ARampNamesItsEndLargeAndOneFrequency) {
+  Scene s = chatterScene();
+  s.snapshot.authority = Authority::Auto;
+  s.snapshot.commanding = true;
+  s.snapshot.command.kind = CommandKind::Set;
+  s.snapshot.command.speed = s.snapshot.command.feed = Ratio(8700.0 / 8800.0);
+  s.snapshot.command.reason = {ReasonCode::GateMoving, {98.9, 97.3, 98.9, 97.3}};
+  s.snapshot.machine.linkUp = true;
+  s.snapshot.request.kind = RequestKind::Set;
+  s.snapshot.request.claimsSpeed = true;
+  s.snapshot.request.speed = Rpm(8565.0);
+  s.snapshot.request.reason = {ReasonCode::CentreOfNextPocket, {8565.0, 3.0, 1701.0, 8800.0}};
+  MoveReason reason;
+  reason.see(s.snapshot);
+  const AdviceView view = makeAdviceView(s.picture(), reason.reason(), reason.target());
+  EXPECT_TRUE(view.target.startsWith("8" + kThin + "565")) << view.target.toStdString();
+  EXPECT_TRUE(view.delta.contains("now 8" + kThin + "700")) << view.delta.toStdString();
+  EXPECT_TRUE(view.reason.contains("1" + kThin + "713")) << "as the verdict: " << view.reason.toStdString();
+}
+
+TEST(CommandView, AfterTheEndNobodyAdvises) {
+  Scene s = stableScene();
+  Picture picture = s.picture();
+  EXPECT_FALSE(makeCommandView(picture).over);
+  picture.link.ended = QStringLiteral("The run has ended");
+  EXPECT_TRUE(makeCommandView(picture).over);
 }
 
 TEST(SpectrumColumnReader, HandsOnEachColumnOnceAndWhatTheRingStillHas) {

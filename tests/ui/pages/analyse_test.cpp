@@ -215,5 +215,16 @@ TEST_F(Analyse, MissingSamplesAreShadedAndAStalePictureSaysSo) {
   EXPECT_GT(differentPixels(live, find<HistoryMap>()->grab().toImage()), 1000);
 }
 
+TEST_F(Analyse, ALimitThatIsMovedHoldsFromThenOn) {
+  session_.mutableInfo().limits.energyRatio = 0.2;
+  openPage();
+  const Instant before = session_.snapshot().time;
+  session_.mutableInfo().limits.energyRatio = 0.35;
+  play(1.0);
+  const auto* tracks = find<TrackPlot>();
+  EXPECT_DOUBLE_EQ(tracks->limitAt(0, before), 0.2) << "the past was judged by that";
+  EXPECT_DOUBLE_EQ(tracks->limitAt(0, session_.snapshot().time), 0.35);
+}
+
 }  // namespace
 }  // namespace stillcut::ui

@@ -24,6 +24,7 @@ TEST(Cards, AnOnsetThatWasCaughtHasMarkedNothing) {
   Intervention& i = s.snapshot.interventions[0];
   i.finished = i.quiet = true;
   i.feedBefore = fromMmPerMin(1400.0);
+  i.commanded = s.snapshot.time;
   EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("nothing marked")));
   EXPECT_TRUE(makeVerdictView(s.picture(), Trend::Unknown).marked.contains(QStringLiteral("no chatter")));
   i.marked = Metres(0.002);
@@ -31,6 +32,35 @@ TEST(Cards, AnOnsetThatWasCaughtHasMarkedNothing) {
   s.snapshot.chatterTime = Seconds(0.2);
   s.snapshot.chatterLength = i.marked;
   EXPECT_FALSE(makeVerdictView(s.picture(), Trend::Unknown).marked.contains(QStringLiteral("no chatter")));
+}
+
+TEST(Cards, AnOnsetThatNobodyTouchedHasNoneAndCanBeJudgedAllTheSame) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  Intervention& i = s.snapshot.interventions[0];
+  i.finished = i.quiet = true;
+  i.feedBefore = fromMmPerMin(1400.0);
+  EXPECT_TRUE(makeCards(s.picture()).empty());
+  EXPECT_EQ(makeNewestAlarm(s.picture()).count, 1U);
+  EXPECT_FALSE(makeNewestAlarm(s.picture()).time.isEmpty());
+  i.marked = Metres(0.001);
+  EXPECT_EQ(makeCards(s.picture()).size(), 1U) << "it has chattered";
+}
+
+TEST(Cards, WhereTheToolLeftTheAirIsNoResult) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  Intervention& i = s.snapshot.interventions[0];
+  i.finished = true;
+  i.marked = Metres(0.002);
+  i.severityBefore = Ratio(0.9);
+  i.severityAfter = Ratio(0.01);
+  i.vibrationBefore = 22.0;
+  i.vibrationAfter = 0.1;
+  const CardView card = makeCards(s.picture())[0];
+  EXPECT_TRUE(card.vibration.contains(QStringLiteral("22"))) << card.vibration.toStdString();
+  EXPECT_FALSE(card.vibration.contains(QChar(0x2192))) << "no after";
+  EXPECT_FALSE(card.ratio.contains(QChar(0x2192))) << card.ratio.toStdString();
 }
 
 TEST(Cards, SayThatStillcutActsOnlyWhereItMay) {

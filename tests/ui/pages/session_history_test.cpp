@@ -82,6 +82,23 @@ TEST_F(SessionsPageTest, HistoryIsShownInTheListsPlaceAndLeadsToItsRecordings) {
   EXPECT_EQ(list->model()->rowCount(), 2) << "the recordings of T12";
 }
 
+TEST_F(SessionsPageTest, HistorySaysWhichRecordingsAreNotClosed) {
+  std::vector<SessionEntry> entries = twoDays();
+  entries[0].session = true;
+  entries[0].inside = SessionEntry::Inside::No;
+  controller_.setEntries(entries);
+  openSessions();
+  press("sessions-history");
+  tick(40);
+  QStringList words;
+  for (const QLabel* label : window_->findChildren<QLabel*>()) {
+    if (label->isVisible()) words << label->text();
+  }
+  const QString said = words.join(u'|');
+  EXPECT_TRUE(said.contains(QStringLiteral("not closed"))) << said.toStdString();
+  EXPECT_TRUE(said.contains(QStringLiteral("without alarms of their own, not counted: 1"))) << "what was imported";
+}
+
 TEST_F(SessionsPageTest, HistorySaysWhatIsNotCountedYet) {
   std::vector<SessionEntry> entries = twoDays();
   entries[0].inside = SessionEntry::Inside::NotYet;

@@ -214,7 +214,7 @@ TEST_F(UiTest, AReportIsWrittenInTheUnitsOfTheScreen) {
     page.display(picture);
     QTest::mouseClick(page.findChild<TouchButton*>(QStringLiteral("session-report")), Qt::LeftButton);
   }
-  EXPECT_EQ(written, (std::vector{UnitSystem::Inch, UnitSystem::Metric}));
+  EXPECT_EQ(written, (std::vector{UnitSystem::Inch, UnitSystem::Inch, UnitSystem::Metric, UnitSystem::Metric}));
 }
 
 TEST_F(SessionsPageTest, FilesThatCouldNotBeScoredAreListedWithTheReason) {

@@ -31,7 +31,7 @@ TEST_F(SetupPageTest, AMachineIsPutTogetherTriedSavedAndStarted) {
   press("link-setting-adaptive_feed-true");
   press("link-setting-restore-hundred");
   press("setup-sensors");
-  press("source-alsa");
+  pressKind("source-alsa");
   press("channel-add");
   press("setup-tools");
   press("tool-new");
@@ -159,7 +159,7 @@ TEST_F(SetupPageTest, TheChosenDeviceIsListenedToBesideTheCutAndLetGo) {
   openSetup();
   press("setup-sensors");
   EXPECT_FALSE(find<TouchButton>("device-listen")->isEnabled()) << "no device is chosen";
-  press("source-alsa");
+  pressKind("source-alsa");
   press("device-listen");
   EXPECT_EQ(controller_.listenedTo, QStringLiteral("alsa"));
   tick(40);
@@ -190,7 +190,7 @@ TEST_F(SetupPageTest, TheChosenDeviceIsListenedToBesideTheCutAndLetGo) {
   tick(40);
   press("device-listen");
   EXPECT_EQ(controller_.listenedTo, QStringLiteral("alsa"));
-  press("source-simulated");
+  pressKind("source-simulated");
   EXPECT_TRUE(controller_.listenedTo.isEmpty()) << "it is not the chosen device any more";
 }
 
@@ -208,7 +208,7 @@ TEST_F(SetupPageTest, ACalibratorSetsTheChosenChannelRight) {
   openSetup();
   press("setup-sensors");
   EXPECT_FALSE(find<TouchButton>("calibrator-begin")->isEnabled()) << "no device is chosen";
-  press("source-alsa");
+  pressKind("source-alsa");
   press("channel-add");
   press("channel-add");
   find<QTableView>("channels")->setCurrentIndex(find<QTableView>("channels")->model()->index(1, 0));
@@ -235,7 +235,7 @@ TEST_F(SetupPageTest, ACalibratorSetsTheChosenChannelRight) {
 TEST_F(SetupPageTest, KnocksExchangeTheAxes) {
   openSetup();
   press("setup-sensors");
-  press("source-alsa");
+  pressKind("source-alsa");
   press("channel-add");
   press("channel-add");
   QAbstractItemModel* channels = find<QTableView>("channels")->model();
@@ -264,7 +264,7 @@ TEST_F(SetupPageTest, KnocksExchangeTheAxes) {
 TEST_F(SetupPageTest, WhatTheCalibratorCannotSayIsASentence) {
   openSetup();
   press("setup-sensors");
-  press("source-alsa");
+  pressKind("source-alsa");
   press("channel-add");
   find<QLineEdit>("calibrator-frequency")->setText(QStringLiteral("much"));
   press("calibrator-begin");
@@ -338,7 +338,7 @@ TEST_P(SetupPictures, EveryTabFits) {
   play(0.4);
   savePage(*window_, "setup", GetParam(), "machine");
   press("setup-sensors");
-  press("source-simulated");
+  pressKind("source-simulated");
   press("channel-add");
   play(0.1);
   savePage(*window_, "setup", GetParam(), "sensors");

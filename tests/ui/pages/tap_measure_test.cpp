@@ -5,6 +5,7 @@
 
 #include "tests/ui/support/fake_tap_desk.h"
 #include "tests/ui/support/ui_fixture.h"
+#include "ui/shell/manual_panel.h"
 #include "ui/widgets/painting.h"
 
 namespace stillcut::ui {
@@ -51,6 +52,21 @@ TEST_F(TapMeasureTest, TheMachineIsInReachWhileAFileIsLookedFor) {
   const QStringList chosen{QStringLiteral("/taps/x1.csv"), QStringLiteral("/taps/x2.csv")};
   emit dialog->filesSelected(chosen);
   EXPECT_EQ(tap_.files(), chosen);
+  EXPECT_EQ(tap_.axisOfFiles, 0);
+}
+
+TEST_F(TapMeasureTest, EscClosesTheDialogThatIsOnTopFirst) {
+  openTap();
+  QTest::keyClick(window_.get(), Qt::Key_F1);
+  press("tap-files");
+  auto* dialog = find<QFileDialog>();
+  ASSERT_NE(dialog, nullptr);
+  window_->activateWindow();
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(dialog->isVisible());
+  EXPECT_TRUE(find<ManualPanel>()->isVisible()) << "one touch closes one";
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  EXPECT_FALSE(find<ManualPanel>()->isVisible());
 }
 
 }  // namespace

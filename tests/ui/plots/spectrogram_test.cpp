@@ -105,11 +105,12 @@ TEST(SpectrogramImage, LostSamplesLeaveAGapAsLongAsTheyLasted) {
   EXPECT_TRUE(image.cells()[35].afterGap);
 }
 
-TEST(SpectrogramImage, MissedColumnsAreAGapToo) {
+TEST(SpectrogramImage, ColumnsThatTheScreenMissedAreEmptyAndNoGap) {
   SpectrogramImage image = filled(10);
   image.append(column(13, 13), Tone::Normal);
   EXPECT_EQ(image.cells().size(), 14U);
   EXPECT_FALSE(image.cells()[12].present);
+  EXPECT_FALSE(image.cells()[12].afterGap) << "hatched is what the device has lost";
 }
 
 TEST(SpectrogramImage, JitterOfTheStampsDoesNotAddUp) {

@@ -3,6 +3,7 @@
 #include "tests/ui/support/pictures.h"
 #include "tests/ui/support/ui_fixture.h"
 #include "ui/pages/intervention_list.h"
+#include "ui/plots/axis_painter.h"
 #include "ui/shell/apply_theme.h"
 #include "ui/widgets/advice_panel.h"
 #include "ui/widgets/intervention_card.h"
@@ -160,7 +161,7 @@ TEST_F(Widgets, InterventionListShowsWhatWentWrong) {
   EXPECT_TRUE(line.text.contains("programmed values restored")) << line.text.toStdString();
   EXPECT_EQ(line.tone, Tone::Chatter);
   InterventionList list;
-  list.display({}, line, true, false);
+  list.display({}, {}, line, true, false);
   paint(list, {690, 148});
   EXPECT_FALSE(list.clipped());
   s.snapshot.time += std::chrono::seconds(31);
@@ -185,6 +186,15 @@ TEST_F(Widgets, TouchButtonAsksInAmberAndClicksByKey) {
   button->setAsking(true, "AUTO?", "touch again");
   EXPECT_EQ(paint(*button, {146, 66}).pixelColor(20, 10), kLight.colors.onset);
   EXPECT_FALSE(button->clipped());
+}
+
+TEST(AxisPainter, TheWidestNumberHasRoomWithItsSign) {
+  const Theme theme = makeTheme(ThemeKind::Light, 1.0);
+  const QFontMetrics metrics(theme.font(type_size::kTick));
+  const int small = leftAxisWidth(200, {0.0, 1.0}, {}, theme);
+  const int wide = leftAxisWidth(200, {-0.0004, 0.0004}, QStringLiteral("\u00b5m/N"), theme);
+  EXPECT_GT(wide, small);
+  EXPECT_GE(wide, metrics.horizontalAdvance(QStringLiteral("\u22120.0004 \u00b5m/N")));
 }
 
 }  // namespace

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <QDirIterator>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "app/session/session.h"
 #include "core/evaluate/session_summary_builder.h"
 #include "core/session/file/session_markers.h"
+#include "core/session/session_glance.h"
 
 namespace stillcut::app {
 namespace {
@@ -16,7 +18,8 @@ namespace {
 class RecordedByProfile : public testing::Test {
  protected:
   // Puts a profile of the simulated mill in force, as the Set up page does.
-  void start(const std::string& mode, const QString& asked = {}) {
+  void start(const std::string& mode, const QString& asked = {},
+             const std::string& scenario = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml") {
     auto opened = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", true);
     ASSERT_TRUE(opened.ok()) << opened.error().line();
     session_ = std::move(opened).value();
@@ -37,7 +40,7 @@ class RecordedByProfile : public testing::Test {
     profile.cut.nominalSpeed = Rpm(8500.0);
     profile.operatorName = "Ada";
     profile.recording = {recordings().toStdString(), "Housing 7"};
-    profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+    profile.source = {"simulated", {{"scenario", scenario}}};
     profile.link = {"simulated", {}};
     ASSERT_TRUE(profile.params.set(catalog, "record.mode", mode, "test").ok());
     const auto saved = controller.save(profile, QStringLiteral("mill"));
@@ -177,6 +180,27 @@ TEST_F(RecordedByProfile, FeaturesAreKeptWithoutSamples) {
   controller.setPace(0.0);
   controller.play();
   EXPECT_TRUE(QTest::qWaitFor([&] { return controller.replay().finished; }, 60'000)) << "it comes to its end";
+}
+
+TEST_F(RecordedByProfile, TheFileIsClosedWhenTheRunEndsAndTheRunCanBeHadAgain) {
+  QFile demo(QStringLiteral(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"));
+  ASSERT_TRUE(demo.open(QIODevice::ReadOnly));
+  QFile brief(folder_.filePath(QStringLiteral("brief.toml")));
+  ASSERT_TRUE(brief.open(QIODevice::WriteOnly));
+  brief.write(demo.readAll().replace("duration_s = 30.0", "duration_s = 3.0"));
+  brief.close();
+  start("continuous", {}, brief.fileName().toStdString());
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        (void)session_->pull();
+        return session_->mayRunAgain();
+      },
+      60'000));
+  (void)session_->pull();
+  const auto seen = record::glanceAtSession(onlyFile());
+  ASSERT_TRUE(seen) << "while the program goes on";
+  EXPECT_GT(seen->length.value, 1.0);
+  EXPECT_EQ(session_->recorder().state, ui::RecorderView::State::Off);
 }
 
 TEST_F(RecordedByProfile, AFolderThatCannotBeMadeIsSaidBeforeTheCut) {

@@ -184,7 +184,7 @@ TEST(ReportText, TellsWhatHappened) {
   EXPECT_EQ(
       whatHappened(s, kMetric).toStdString(),
       "Chatter began once, first at 1\u202f000\u00a0Hz; it lasted 600\u00a0ms in all and marked 12.3\u00a0mm of path. "
-      "Stillcut moved speed and feed once; the cut was stable again.");
+      "Stillcut moved speed and feed; the cut was stable again.");
   EXPECT_EQ(whatHappenedTone(s), Tone::Onset);
   s.interventions[0].quiet = false;
   EXPECT_EQ(whatHappenedTone(s), Tone::Chatter);
@@ -324,6 +324,28 @@ TEST(ReportTable, LongCellsGoOnInTheNextLineAlsoWithoutSpaces) {
   EXPECT_EQ(
       wrapped(columns, {{{QStringLiteral("1.5"), QStringLiteral("short")}, Tone::Normal}}, kTableWidth, style).size(),
       1U);
+}
+
+TEST(ReportTable, NumbersAreNeverCut) {
+  const std::vector<TableColumn> columns{{QStringLiteral("At"), 0.2, true}, {QStringLiteral("What"), 9.0}};
+  const QString number = QStringLiteral("14:00:03, 1234.56 s");
+  const PageStyle style;
+  const auto fit = fitted(columns, {{{number, QStringLiteral("alarm")}, Tone::Normal}}, 400.0, style);
+  const double width = fit[0].share / (fit[0].share + fit[1].share) * (400.0 - 10.0);
+  EXPECT_GE(width + 0.5, QFontMetricsF(style.font(11)).horizontalAdvance(number));
+}
+
+TEST(Report, IsAPageForABrowserAsWell) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("cut.html"));
+  ASSERT_TRUE(writeByName(example(), file, kMetric).ok());
+  QFile page(file);
+  ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(page.readAll());
+  EXPECT_TRUE(text.contains(QStringLiteral("<svg"))) << "the plots are in it";
+  EXPECT_TRUE(text.contains(whatHappened(example(), kMetric).toHtmlEscaped()));
+  EXPECT_FALSE(text.contains(QStringLiteral("src=\"http"))) << "nothing is fetched";
+  EXPECT_TRUE(text.trimmed().endsWith(QStringLiteral("</html>")));
 }
 
 TEST(ReportTable, RowsThatDoNotFitAreLeftForTheNextPage) {

@@ -230,6 +230,7 @@ TEST_P(EveryPage, EveryPartOfAPageFits) {
   press("link-linuxcnc");
   keep("setup-machine");
   press("setup-sensors");
+  press("device-other");
   press("source-simulated");
   press("channel-add");
   keep("setup-sensors");

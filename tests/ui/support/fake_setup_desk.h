@@ -58,6 +58,13 @@ class FakeSetupDesk final : public SetupController {
     for (const auto& [name, profile] : kept) names.push_back(name);
     return names;
   }
+  QStringList shippedProfiles() const override { return {QStringLiteral("microphone")}; }
+  Result<config::Profile> loadShipped(const QString&) const override {
+    config::Profile profile;
+    profile.source.id = "alsa";
+    profile.cut.machine = "Mill in bay 1";
+    return profile;
+  }
   QString profileInForce() const override { return inForce; }
   Result<config::Profile> load(const QString& name) const override {
     const auto found = kept.find(name);

@@ -67,7 +67,13 @@ class FakeTapDesk final : public TapController {
   TapRun run() const override { return run_; }
   const std::vector<TapHitRow>& hits(int) const override { return hits_; }
   void useHit(int, std::size_t hit, bool use) override { hits_[hit].used = use; }
-  void openFiles(const QStringList& paths) override { files_ = paths; }
+  void openFiles(const QStringList& paths, int axis) override {
+    files_ = paths;
+    axisOfFiles = axis;
+  }
+  const TapFileReading& reading() const override { return fileReading; }
+  void answer(const TapAnswers& answers) override { fileReading.answers = answers; }
+  QString keptAlready(TapKept, const QString&) const override { return kept; }
   const QStringList& files() const override { return files_; }
   const TapResponse& response(int axis) const override { return axis == 0 ? response_ : none_; }
   void useMode(int, std::size_t mode, bool use) override { response_.modes[mode].used = use; }
@@ -87,6 +93,10 @@ class FakeTapDesk final : public TapController {
   Result<QString> saveModes(const QString& name) override {
     return QStringLiteral("/home/mill/.local/share/stillcut/modes/%1.toml").arg(name);
   }
+
+  TapFileReading fileReading;
+  QString kept;  // of any name
+  int axisOfFiles = -1;
 
  private:
   TapListening listening_;

@@ -36,7 +36,7 @@ QString eventSentence(const RunEvent& event, UnitSystem units) {
   const QString rpm = rpmUnit();
   switch (event.what) {
     case RunEvent::What::Event:
-      return reasonText(event.reason);
+      return event.onset ? onsetText(event.reason) : reasonText(event.reason);
     case RunEvent::What::OurMove:
       return because(
           say("Stillcut moves the speed %1").arg(join(arrow(number(event.before), number(event.after)), rpm)),
@@ -86,11 +86,26 @@ void EventLog::see(const Snapshot& snapshot) {
   const std::uint64_t oldest = snapshot.eventCount > kEventsShown ? snapshot.eventCount - kEventsShown : 0;
   for (std::uint64_t k = std::max(nextEvent_, oldest); k < snapshot.eventCount; ++k) {
     const Event& event = snapshot.events[k % kEventsShown];
-    add({event.time, RunEvent::What::Event, event.level, event.reason});
+    RunEvent told{event.time, RunEvent::What::Event, event.level, event.reason};
+    told.onset = event.reason.code == ReasonCode::ChatterBegan;
+    add(told);
   }
   nextEvent_ = snapshot.eventCount;
+  seeState(snapshot);
   seeMoves(snapshot);
   addMachine(snapshot);
+}
+
+// An alarm begins as an onset; where it has become chatter it is called so.
+void EventLog::seeState(const Snapshot& s) {
+  const Verdict& verdict = s.verdicts[static_cast<std::size_t>(s.inCharge)];
+  if (!verdict.valid || verdict.state != CutState::Chatter) return;
+  for (auto event = events_.rbegin(); event != events_.rend(); ++event) {
+    if (event->what != RunEvent::What::Event || event->reason.code != ReasonCode::ChatterBegan) continue;
+    if (event->onset) ++version_;
+    event->onset = false;
+    return;
+  }
 }
 
 void EventLog::seeMoves(const Snapshot& s) {
@@ -150,10 +165,16 @@ void EventLog::addMachine(const Snapshot& snapshot) {
   if (machine_.size() > kMostPoints) machine_.pop_front();
 }
 
+bool stayedOnset(const SessionSummary& summary, Instant began) {
+  const auto card = std::ranges::find(summary.interventions, began, &Intervention::began);
+  return card != summary.interventions.end() && card->feedBefore.value > 0.0 && !(card->marked.value > 0.0);
+}
+
 std::vector<RunEvent> eventsOf(const SessionSummary& summary) {
   std::vector<RunEvent> out;
   for (const Event& event : summary.events) {
     out.push_back({event.time, RunEvent::What::Event, event.level, event.reason});
+    out.back().onset = event.reason.code == ReasonCode::ChatterBegan && stayedOnset(summary, event.time);
   }
   for (const Intervention& i : summary.interventions) {
     if (i.commanded < i.began || !differ(i.speedBefore.value, i.speedAfter.value, kMove)) continue;

@@ -29,6 +29,7 @@ struct RunEvent {
   Reason reason{};
   double before = 0.0, after = 0.0;
   QString words{};
+  bool onset = false;  // an alarm that has not become chatter so far
 };
 
 // One sentence, with why where that is known: "Speed 8 800 to 8 565 rpm: centre of the next stable pocket".
@@ -51,6 +52,7 @@ class EventLog {
   std::uint64_t version() const { return version_; }                    // another one: there are more events
 
  private:
+  void seeState(const Snapshot& snapshot);
   void seeMoves(const Snapshot& snapshot);
   void add(const RunEvent& event);
   void addMachine(const Snapshot& snapshot);
@@ -63,6 +65,9 @@ class EventLog {
   Ratio ourSpeed_{1.0}, ourFeed_{1.0};
   MachineState before_;
 };
+
+// Whether the alarm that began then became no chatter, as its card tells: known feed, and nothing marked.
+bool stayedOnset(const SessionSummary& summary, Instant began);
 
 // Of a whole recording, times from its first sample.
 std::vector<RunEvent> eventsOf(const SessionSummary& summary);

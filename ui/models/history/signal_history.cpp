@@ -27,11 +27,14 @@ void SignalHistory::add(const SampleBlock& block) {
   if (samples_.empty() || block.frames <= 0) return;
   // A clock that is being followed moves the stamps by parts of a block; a block that is missing, by a whole one.
   const double away = std::abs(secondsBetween(newest_, block.firstSample).value);
-  const bool gap = block.has(kBlockGap) || away > 0.5 * block.frames / rate_;
+  // That is the screen's own loss, and no gap, unless the block says that samples are missing.
+  const bool missed = block.has(kBlockGap) || away > 0.5 * block.frames / rate_;
   if (!pieces_.empty() && block.firstSample < pieces_.back().time) pieces_.clear();
   const bool drifted =
       !pieces_.empty() && std::abs(secondsBetween(endOf(pieces_.back()), block.firstSample).value) > kDrift;
-  if (gap || drifted || pieces_.empty()) pieces_.push_back({block.firstSample, frames_, 0, gap});
+  if (missed || drifted || pieces_.empty()) {
+    pieces_.push_back({block.firstSample, frames_, 0, block.has(kBlockGap)});
+  }
   newest_ = block.firstSample + toDuration(Seconds(block.frames / rate_));
   const int channels = std::min(block.channels, static_cast<int>(samples_.size()));
   for (int c = 0; c < channels; ++c) {

@@ -41,7 +41,7 @@ class SignalHistory {
     Instant time{};
     std::uint64_t first = 0;  // counts frames since prepare()
     std::uint64_t count = 0;
-    bool afterGap = false;  // else only time has drifted from the piece before
+    bool afterGap = false;  // samples were lost; else time has drifted, or the screen was late
   };
   Instant endOf(const Piece& piece) const;
   void forget();

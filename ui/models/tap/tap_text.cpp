@@ -80,11 +80,13 @@ QString tapFaultText(TapFault fault) {
 }
 
 TapSign tapSign(const TapController& controller) {
+  const TapFileReading& reading = controller.reading();
+  if (reading.runs) return {say("Reading"), {}, Tone::Faint};
+  if (!reading.problem.isEmpty()) {
+    const bool asks = !reading.questions.empty() || reading.flipAsked;
+    return {asks ? say("What the file does not say") : say("Not measured"), reading.problem, Tone::Onset};
+  }
   if (!controller.files().isEmpty()) {
-    const bool working = controller.response(0).state == TapResponse::State::Working;
-    const QString problem = controller.response(0).problem;
-    if (working) return {say("Reading"), {}, Tone::Faint};
-    if (!problem.isEmpty()) return {say("Not measured"), problem, Tone::Onset};
     return {say("From files"),
             QStringList(controller.files())
                 .replaceInStrings(QRegularExpression(QStringLiteral("^.*/")), {})
@@ -109,6 +111,34 @@ TapSign tapSign(const TapController& controller) {
       return {say("Done along %1").arg(axisName(run.axis)),
               run.axis == 0 ? say("Turn hammer and sensor and measure y, or go on to MODES.") : say("Go on to MODES."),
               Tone::Normal};
+  }
+  return {};
+}
+
+TapQuestionText tapQuestion(TapQuestion question) {
+  switch (question) {
+    case TapQuestion::Hammer:
+      return {say("Channel of the hammer"), say("its name, or its number from 0")};
+    case TapQuestion::Sensor:
+      return {say("Channel of the sensor"), say("its name, or its number from 0")};
+    case TapQuestion::ForceUnit:
+      return {say("Unit of the force"), QStringLiteral("N, kN, lbf, V")};
+    case TapQuestion::ResponseUnit:
+      return {say("Unit of the response"), QStringLiteral("m/s^2, g, mm/s, um, V")};
+    case TapQuestion::ForceSensitivity:
+      return {say("Sensitivity of the hammer"), QStringLiteral("2.25 mV/N")};
+    case TapQuestion::ResponseSensitivity:
+      return {say("Sensitivity of the sensor"), QStringLiteral("100 mV/g")};
+    case TapQuestion::ForceFullScale:
+      return {say("Force at full scale"), say("in the unit beside it")};
+    case TapQuestion::ResponseFullScale:
+      return {say("Response at full scale"), say("in the unit beside it")};
+    case TapQuestion::Unit:
+      return {say("Unit of the frequency response"), QStringLiteral("m/N, um/N, (m/s^2)/N, g/N")};
+    case TapQuestion::FrequencyUnit:
+      return {say("Unit of the frequencies"), QStringLiteral("Hz, kHz, rad/s")};
+    case TapQuestion::PhaseUnit:
+      return {say("Unit of the phase"), QStringLiteral("deg, rad")};
   }
   return {};
 }

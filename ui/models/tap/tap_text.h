@@ -21,6 +21,12 @@ struct TapSign {
 };
 TapSign tapSign(const TapController& controller);
 
+// A question and an example of its answer.
+struct TapQuestionText {
+  QString asked, example;
+};
+TapQuestionText tapQuestion(TapQuestion question);
+
 QString tapFaultText(TapFault fault);
 QStringList hitHeader(bool withForce);
 std::vector<TickRow> hitRows(const std::vector<TapHitRow>& hits, bool withForce);

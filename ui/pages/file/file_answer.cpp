@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/base/format.h"
 #include "ui/base/typed_number.h"
@@ -71,8 +72,14 @@ FileAnswerPanel::FileAnswerPanel(QWidget* parent)
   found_->setObjectName(QStringLiteral("file-found"));
   title_->setObjectName(QStringLiteral("file-title"));
   advice_->setTone(Tone::Advice);
-  fields_->addWidget(teeth_, 2);
-  fields_->addWidget(speed_, 3);
+  // Their labels stay when they are filled.
+  for (const auto& [field, share] : {std::pair(teeth_, 2), std::pair(speed_, 3)}) {
+    auto* labelled = new QVBoxLayout;
+    labelled->setSpacing(2);
+    labelled->addWidget(new TextLabel({type_size::kLabel, false, true}, field->accessibleName()));
+    labelled->addWidget(field);
+    fields_->addLayout(labelled, share);
+  }
   auto* words = new QWidget;
   auto* lines = new QVBoxLayout(words);
   lines->setContentsMargins(0, 0, 0, 0);

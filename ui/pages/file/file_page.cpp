@@ -54,8 +54,9 @@ FilePage::FilePage(FileController* controller, ReportWriter report, QWidget* par
     return;
   }
   chooseFile = [this](const QString& title, const std::function<void(const QString&)>& chosen) {
-    chooseFiles(this, title, QFileDialog::ExistingFile, folder_,
-                [chosen](const QStringList& paths) { chosen(paths.value(0)); });
+    chooseFiles(
+        this, title, QFileDialog::ExistingFile, folder_, [chosen](const QStringList& paths) { chosen(paths.value(0)); },
+        recordingFilters());
   };
   answer_ = new FileAnswerPanel;
   auto* right = new QVBoxLayout;
@@ -165,6 +166,7 @@ void FilePage::refresh() {
     tools_->setChannels(names);
     view_.restart();
     view_.setWhole(file->length, file->rate * 0.5);
+    judgedShown_ = false;
     // What the file says itself stands in the fields, unless somebody was quicker.
     const FileQuestion none;
     if (answer_->question() == none)
@@ -172,7 +174,20 @@ void FilePage::refresh() {
   }
   if (!file && shown_) view_.restart();
   shown_ = file;
+  showJudged();
   showParts();
+}
+
+// Up to where the detectors hear, once, and a little more: what lies above says nothing, and all of it is one touch
+// away.
+void FilePage::showJudged() {
+  constexpr double kMore = 1.25;
+  const auto answer = controller_->answer();
+  if (judgedShown_ || !shown_ || !answer || !(answer->judgedTo.value > 0.0)) return;
+  judgedShown_ = true;
+  const AnalyseOptions& options = view_.options();
+  if (options.low > Hertz() || options.high < view_.top()) return;  // somebody was quicker
+  view_.showFrequencies(Hertz(), Hertz(std::min(kMore * answer->judgedTo.value, view_.top().value)));
 }
 
 FileMarks FilePage::marks() const {

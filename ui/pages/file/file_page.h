@@ -52,6 +52,7 @@ class FilePage : public Page {
   void choose(FileController::Place place);
   void refresh();
   void showAnswer();
+  void showJudged();
   void showParts();
   void askSpectra(FileController::Place place);
   FileMarks marks() const;
@@ -79,6 +80,7 @@ class FilePage : public Page {
   QGridLayout* grid_ = nullptr;
   QHBoxLayout *columns_ = nullptr, *foot_ = nullptr;
   std::shared_ptr<const FileContents> shown_;     // whose whole is in view_
+  bool judgedShown_ = false;                      // frequencies up to what is judged, once
   std::array<SpectraRequest, 2> asked_;           // newest spectra asked for
   std::array<const FileContents*, 2> askedOf_{};  // of this recording
   bool viewMoved_ = false;

@@ -60,6 +60,7 @@ SetupPage::SetupPage(SetupController* controller, QWidget* parent)
     buttons_.push_back(button);
     connect(button, &TouchButton::clicked, this, [this, k] { showTab(static_cast<int>(k)); });
     connect(tab, &SetupTab::tabAsked, this, &SetupPage::showTab);
+    connect(tab, &SetupTab::manualAsked, this, &Page::manualAsked);
     connect(tab, &SetupTab::fileAsked, this, [this] { emit fileAsked({}); });
     connect(tab, &SetupTab::started, this, [this] { emit pageAsked(QStringLiteral("operate")); });
   }

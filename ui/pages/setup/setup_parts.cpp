@@ -1,18 +1,23 @@
 #include "ui/pages/setup/setup_parts.h"
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/base/format.h"
 #include "ui/base/say.h"
 #include "ui/base/typed_number.h"
+#include "ui/models/plain_words.h"
 #include "ui/models/sensor_view.h"
+#include "ui/pages/choose_files.h"
 #include "ui/pages/setup/setup_finder.h"
 #include "ui/pages/setup/setup_sensor_trial.h"
 #include "ui/plots/level_spectrum.h"
@@ -55,6 +60,50 @@ QStringList clockLines(const std::vector<JoinedClock>& clocks) {
   return lines;
 }
 
+bool isThat(const FoundDevice& device, const config::ComponentChoice& source) {
+  return device.source.id == source.id && source.settings.contains("device") &&
+         source.settings.at("device") == device.source.settings.at("device");
+}
+
+constexpr std::array kQuantities{SensorQuantity::Acceleration, SensorQuantity::Velocity, SensorQuantity::Displacement,
+                                 SensorQuantity::Sound,        SensorQuantity::Force,    SensorQuantity::Current,
+                                 SensorQuantity::SpindleSpeed};
+
+// Quantities are chosen, not typed.
+class QuantityDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
+    auto* box = new QComboBox(parent);
+    box->setObjectName(QStringLiteral("channel-quantity"));
+    box->setFont(parent->font());
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    for (const SensorQuantity quantity : kQuantities) {
+      const std::string id(name(quantity));
+      box->addItem(sayCore(id), QString::fromStdString(id));
+    }
+    connect(box, &QComboBox::activated, this, [this, box] {
+      emit const_cast<QuantityDelegate*>(this)->commitData(box);
+      emit const_cast<QuantityDelegate*>(this)->closeEditor(box);
+    });
+    return box;
+  }
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    auto* box = qobject_cast<QComboBox*>(editor);
+    box->setCurrentIndex(std::max(box->findData(index.data(Qt::EditRole)), 0));
+  }
+  void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+    model->setData(index, qobject_cast<QComboBox*>(editor)->currentData(), Qt::EditRole);
+  }
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    QRect place = option.rect;
+    constexpr int kAir = 12;
+    place.setWidth(std::max(place.width(), editor->sizeHint().width() + kAir));
+    editor->setGeometry(place);
+  }
+};
+
 double typed(const QLineEdit* edit) {
   QString text = edit->text();
   text.replace(u',', u'.').remove(kThousandsSpace);
@@ -91,7 +140,7 @@ SetupMachine::SetupMachine(SetupController& controller, SetupDraft& draft, QWidg
   names->addWidget(feed_, 1);
   names->addWidget(depthLabel_);
   names->addWidget(depth_, 1);
-  depth_->setPlaceholderText(tr("unknown"));
+  depth_->setPlaceholderText(QStringLiteral("\u2013"));  // not known; a word does not fit
   whole->addLayout(names);
   problem_->setTone(Tone::Onset);
   problem_->hide();
@@ -164,7 +213,7 @@ void SetupMachine::refresh() {
     button->setChecked(button->objectName() == QStringLiteral("link-") + QString::fromStdString(profile.link.id));
   }
   about_->setText(profile.link.id.empty() ? draft_.missing(SetupDraft::Part::Machine)
-                                          : described(controller_.links(), profile.link.id));
+                                          : withoutKeys(described(controller_.links(), profile.link.id)));
   form_->show(controller_.linkSettings(profile), profile.link.settings, QStringLiteral("link-setting-"));
   finder_->refresh();
   allowAuto_->setChecked(profile.allowAuto);
@@ -189,6 +238,13 @@ void SetupMachine::refresh() {
 SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidget* parent)
     : SetupTab(controller, draft, parent),
       foundRows_(new QVBoxLayout),
+      none_(new TextLabel({type_size::kBody, false, false, true},
+                          tr("Nothing is plugged in that could be heard. Plug in a microphone or a sensor: it shows "
+                             "here by its name."))),
+      kits_(makeKits()),
+      other_(makeButton(tr("OTHER DEVICE"), tr("Other kinds of devices: recordings, measuring cards, boards, networks"),
+                        QStringLiteral("device-other"))),
+      kinds_(new QWidget),
       about_(new TextLabel({type_size::kBody, false, true, true})),
       whose_(new TextLabel({type_size::kLabel, true, true})),
       state_(new TextLabel({type_size::kBody, true, false, true})),
@@ -204,10 +260,17 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
   auto* left = new QVBoxLayout;
   left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("DEVICE")));
   left->addLayout(foundRows_);
-  auto* choices = new QGridLayout;
-  constexpr int kInARow = 4;
+  left->addWidget(none_);
+  none_->setObjectName(QStringLiteral("device-none"));
+  left->addWidget(kits_);
+  other_->setCheckable(true);
+  left->addWidget(other_, 0, Qt::AlignLeft);
+  connect(other_, &TouchButton::clicked, this, &SetupSensors::refresh);
+  auto* choices = new QGridLayout(kinds_);
+  choices->setContentsMargins(0, 0, 0, 0);
+  constexpr int kInARow = 3;
   for (const ComponentOption& option : controller.sources()) {
-    TouchButton* button = makeButton(option.id.toUpper(), sayCore(option.description.toStdString()),
+    TouchButton* button = makeButton(sourceCaption(option.id), withoutKeys(sayCore(option.description.toStdString())),
                                      QStringLiteral("source-") + option.id);
     button->setCheckable(true);
     const int place = static_cast<int>(sources_.size());
@@ -219,17 +282,20 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
     });
   }
   choices->setColumnStretch(kInARow, 1);
-  left->addLayout(choices);
+  left->addWidget(kinds_);
   left->addWidget(about_);
-  left->addWidget(scrolled(form_), 2);
+  settings_ = scrolled(form_);
+  left->addWidget(settings_, 2);
   left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("CHANNELS")));
   table_->setModel(&channels_);
   table_->setObjectName(QStringLiteral("channels"));
   table_->setAccessibleName(tr("Channels"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(ChannelModel::Quantity, QHeaderView::ResizeToContents);
+  for (const int column : {ChannelModel::Quantity, ChannelModel::Scale})
+    table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   table_->setEditTriggers(QAbstractItemView::AllEditTriggers);
+  table_->setItemDelegateForColumn(ChannelModel::Quantity, new QuantityDelegate(table_));
   left->addWidget(table_, 3);
   auto* buttons = new QHBoxLayout;
   TouchButton* add = makeButton(tr("ADD CHANNEL"), tr("Add a channel"), QStringLiteral("channel-add"));
@@ -241,6 +307,10 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
   connect(add, &TouchButton::clicked, &channels_, &ChannelModel::add);
   connect(remove, &TouchButton::clicked, this, [this] { channels_.remove(table_->currentIndex().row()); });
   connect(form_, &SettingsForm::edited, &draft, &SetupDraft::setSourceSetting);
+  connect(form_, &SettingsForm::fileWanted, this, [this](const QString& key) {
+    chooseFiles(this, settingLabel(key.toStdString()), QFileDialog::ExistingFile, {},
+                [this, key](const QStringList& paths) { draft_.setSourceSetting(key, paths.value(0)); });
+  });
   auto* right = new QVBoxLayout;
   auto* heading = new QHBoxLayout;
   heading->addWidget(whose_, 1);
@@ -252,10 +322,8 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
   findings_->setTone(Tone::Onset);
   listen_->setCheckable(true);
   connect(listen_, &TouchButton::clicked, this, [this] {
-    heardFresh_ = {};
     if (listen_->isChecked()) {
-      listened_ = draft_.profile().source;
-      controller_.listen(draft_.profile(), draft_.name());
+      listenNow();
     } else {
       controller_.stopPreview();
     }
@@ -265,9 +333,42 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
   refresh();
 }
 
+// The three that the manual describes, each with its part of the chapter.
+QWidget* SetupSensors::makeKits() {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("THREE THAT WORK, AND HOW")));
+  const struct {
+    QString caption, spoken, name, link;
+  } kits[] = {{tr("MICROPHONE"), tr("Measurement microphone, USB sound card"), QStringLiteral("kit-microphone"),
+               QStringLiteral("hardware.md#microphone")},
+              {tr("IEPE SENSOR"), tr("IEPE accelerometer, USB interface"), QStringLiteral("kit-iepe"),
+               QStringLiteral("hardware.md#iepe-accelerometer")},
+              {tr("MEMS BOARD"), tr("MEMS board on USB, two axes"), QStringLiteral("kit-mems"),
+               QStringLiteral("hardware.md#mems-board")}};
+  auto* line = new QHBoxLayout;
+  line->setSpacing(pixelsFor(kTouchGapMm, this) + 2);
+  for (const auto& kit : kits) {
+    TouchButton* how = makeButton(kit.caption, tr("The manual on it: %1").arg(kit.spoken), kit.name);
+    how->setToolTip(kit.spoken);
+    line->addWidget(how);
+    connect(how, &TouchButton::clicked, this, [this, link = kit.link] { emit manualAsked(link); });
+  }
+  line->addStretch(1);
+  column->addLayout(line);
+  return box;
+}
+
+void SetupSensors::listenNow() {
+  heardFresh_ = {};
+  listened_ = draft_.profile().source;
+  controller_.listen(draft_.profile(), draft_.name());
+}
+
 // A device by its maker's name, so that nobody has to know what kind of driver it has.
 void SetupSensors::showFound() {
-  constexpr std::size_t kMost = 2;  // on the screen; more are reached by their kind
+  constexpr std::size_t kMost = 3;  // on the screen; more are reached by their kind
   std::vector<FoundDevice> here = controller_.devicesHere();
   if (here.size() > kMost) here.resize(kMost);
   const auto same = [](const FoundDevice& a, const FoundDevice& b) {
@@ -282,18 +383,36 @@ void SetupSensors::showFound() {
       button->setCheckable(true);
       button->setHint(sayCore(here[k].range.toStdString()));
       button->applyTheme(theme());
-      connect(button, &TouchButton::clicked, this, [this, device = here[k]] { draft_.useDevice(device); });
+      connect(button, &TouchButton::clicked, this, [this, device = here[k]] {
+        draft_.useDevice(device);
+        other_->setChecked(false);
+        listenNow();  // its meter moves when somebody knocks: it is the right one
+        refresh();
+      });
       foundRows_->addWidget(button);
       found_.push_back(button);
     }
     foundShown_ = std::move(here);
   }
   const config::ComponentChoice& source = draft_.profile().source;
-  for (std::size_t k = 0; k < found_.size(); ++k) {
-    const config::ComponentChoice& device = foundShown_[k].source;
-    found_[k]->setChecked(device.id == source.id && source.settings.contains("device") &&
-                          source.settings.at("device") == device.settings.at("device"));
-  }
+  for (std::size_t k = 0; k < found_.size(); ++k) found_[k]->setChecked(isThat(foundShown_[k], source));
+}
+
+bool SetupSensors::chosenIsFound() const {
+  const config::ComponentChoice& source = draft_.profile().source;
+  return std::ranges::any_of(foundShown_, [&](const FoundDevice& device) { return isThat(device, source); });
+}
+
+// Names first. What kind of device it is matters to whoever has one that is not listed, or has chosen one before.
+void SetupSensors::showKinds() {
+  const bool chosen = !draft_.profile().source.id.empty();
+  const bool kinds = other_->isChecked() || (chosen && !chosenIsFound());
+  none_->setVisible(foundShown_.empty());
+  kits_->setVisible(foundShown_.empty() && !kinds);
+  other_->setVisible(!chosen || chosenIsFound());
+  kinds_->setVisible(kinds);
+  about_->setVisible(kinds);
+  settings_->setVisible(chosen);
 }
 
 void SetupSensors::showEvent(QShowEvent* event) {
@@ -303,6 +422,7 @@ void SetupSensors::showEvent(QShowEvent* event) {
 
 void SetupSensors::refresh() {
   showFound();
+  showKinds();
   const config::Profile& profile = draft_.profile();
   for (TouchButton* button : sources_) {
     button->setChecked(button->objectName() == QStringLiteral("source-") + QString::fromStdString(profile.source.id));
@@ -311,7 +431,7 @@ void SetupSensors::refresh() {
   const bool another = profile.source.id != listened_.id || profile.source.settings != listened_.settings;
   if (another && controller_.heard().state != DevicePreview::State::Off) controller_.stopPreview();
   about_->setText(profile.source.id.empty() ? draft_.missing(SetupDraft::Part::Sensors)
-                                            : described(controller_.sources(), profile.source.id));
+                                            : withoutKeys(described(controller_.sources(), profile.source.id)));
   form_->show(controller_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
   trial_->refresh();
 }
@@ -333,13 +453,20 @@ Picture SetupSensors::shown(const Picture& picture, const DevicePreview& heard) 
 }
 
 void SetupSensors::display(const Picture& picture) {
+  // What is plugged in while somebody looks shows without another touch.
+  constexpr qint64 kLookEveryMs = 3000;
+  if (lookedMs_ < 0) lookedMs_ = picture.nowMs;
+  if (foundShown_.empty() && picture.nowMs - lookedMs_ > kLookEveryMs) {
+    controller_.lookForDevices();
+    lookedMs_ = picture.nowMs;
+  }
   const DevicePreview heard = controller_.heard();
   const Picture device = shown(picture, heard);
   const SensorView view = makeSensorView(device);
   const bool failed = !heard.problem.isEmpty();
   live_->display(device);
   state_->setTone(view.sick || failed ? Tone::Onset : Tone::Normal);
-  state_->setText(failed                                         ? heard.problem
+  state_->setText(failed                                         ? plainWords(heard.problem)
                   : heard.state == DevicePreview::State::Opening ? tr("Opening the device")
                                                                  : view.headline);
   findings_->setText(view.findings.join(u'\n'));

@@ -9,6 +9,8 @@ class QScrollArea;
 class QTableView;
 class QVBoxLayout;
 
+class QScrollArea;
+
 namespace stillcut::ui {
 
 class LevelSpectrum;
@@ -49,11 +51,22 @@ class SetupSensors : public SetupTab {
  private:
   Picture shown(const Picture& picture, const DevicePreview& heard);
   void showFound();
+  void showKinds();
+  void listenNow();
+  QWidget* makeKits();
+  // The chosen device is one of those that are listed by their names.
+  bool chosenIsFound() const;
 
   std::vector<TouchButton*> sources_;
   QVBoxLayout* foundRows_;
   std::vector<TouchButton*> found_;  // what is plugged in here
   std::vector<FoundDevice> foundShown_;
+  TextLabel* none_;     // nothing is plugged in
+  QWidget* kits_;       // what to buy then, with the manual's part on it
+  TouchButton* other_;  // opens the kinds of devices that are no names
+  QWidget* kinds_;
+  QScrollArea* settings_;
+  qint64 lookedMs_ = -1;
   TextLabel *about_, *whose_, *state_, *findings_, *levels_;
   TouchButton* listen_;
   config::ComponentChoice listened_;  // what was chosen then

@@ -6,6 +6,7 @@
 #include <QListWidget>
 
 #include "ui/base/say.h"
+#include "ui/models/plain_words.h"
 #include "ui/widgets/step_list.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
@@ -22,9 +23,10 @@ StepLine lineOf(const TrialStep& step) {
     case TrialStep::State::Runs:
       return {QStringLiteral("…  ") + name};
     case TrialStep::State::Good:
-      return {QStringLiteral("✓  ") + name + (step.detail.isEmpty() ? QString() : QStringLiteral(": ") + step.detail)};
+      return {QStringLiteral("✓  ") + name +
+              (step.detail.isEmpty() ? QString() : QStringLiteral(": ") + plainWords(step.detail))};
     case TrialStep::State::Bad:
-      return {QStringLiteral("✗  ") + name + QStringLiteral(": ") + step.detail, Tone::Onset};
+      return {QStringLiteral("✗  ") + name + QStringLiteral(": ") + plainWords(step.detail), Tone::Onset};
   }
   return {};
 }
@@ -89,8 +91,9 @@ SetupProfile::SetupProfile(SetupController& controller, SetupDraft& draft, QWidg
   });
   connect(load_, &TouchButton::clicked, this, [this] {
     if (known_->currentItem() == nullptr) return;
-    const QString name = known_->currentItem()->text();
-    auto profile = controller_.load(name);
+    const QString shipped = known_->currentItem()->data(Qt::UserRole).toString();
+    const QString name = shipped.isEmpty() ? known_->currentItem()->text() : shipped;
+    auto profile = shipped.isEmpty() ? controller_.load(name) : controller_.loadShipped(name);
     if (profile) draft_.open(*profile, name);
     tell(profile ? Status(Done{}) : Status(profile.error()), tr("Loaded: %1").arg(name));
   });
@@ -117,6 +120,20 @@ void SetupProfile::addChoices(QBoxLayout* column, const QString& title, const st
   column->addLayout(grid);
 }
 
+// The shop's own first; below them what comes with the program, to be saved under a name of the shop.
+void SetupProfile::showKnown() {
+  const QStringList own = controller_.profiles(), shipped = controller_.shippedProfiles();
+  if (known_->count() != own.size() + shipped.size()) {
+    known_->clear();
+    known_->addItems(own);
+    for (const QString& name : shipped) {
+      auto* item = new QListWidgetItem(tr("Example: %1").arg(name), known_);
+      item->setData(Qt::UserRole, name);
+    }
+  }
+  load_->setEnabled(known_->count() > 0);
+}
+
 void SetupProfile::tell(const Status& status, const QString& done) {
   note_->setTone(status ? Tone::Normal : Tone::Onset);
   note_->setText(status ? done : sayError(status.error()));
@@ -130,12 +147,7 @@ void SetupProfile::refresh() {
   check(detectors_, QStringLiteral("detector-") + QString::fromStdString(profile.detector));
   check(strategies_, QStringLiteral("strategy-") + QString::fromStdString(profile.strategy));
   if (!name_->hasFocus()) name_->setText(draft_.name());
-  const QStringList names = controller_.profiles();
-  if (known_->count() != names.size()) {
-    known_->clear();
-    known_->addItems(names);
-  }
-  load_->setEnabled(!names.isEmpty());
+  showKnown();
   const QString force = controller_.profileInForce();
   force_->setText(force.isEmpty() ? tr("A demonstration runs, no profile.") : tr("In force: %1").arg(force));
   showTrial();

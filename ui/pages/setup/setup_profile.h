@@ -22,6 +22,7 @@ class SetupProfile : public SetupTab {
                   std::vector<TouchButton*>& buttons, const QString& prefix, std::string config::Profile::*field);
   void tell(const Status& status, const QString& done);
   void showTrial();
+  void showKnown();
 
   QLineEdit* name_;
   QListWidget* known_;

@@ -26,8 +26,9 @@ class SetupTab : public Panel {
 
  signals:
   void tabAsked(int tab);
-  void started();    // another cut runs
-  void fileAsked();  // somebody wants to look at a recording
+  void started();                         // another cut runs
+  void fileAsked();                       // somebody wants to look at a recording
+  void manualAsked(const QString& link);  // "hardware.md#microphone"
 
  protected:
   static TouchButton* makeButton(const QString& caption, const QString& spoken, const QString& name);

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QTableView>
 #include <algorithm>
@@ -28,6 +29,11 @@ TapMeasure::TapMeasure(TapController& controller, QWidget* parent)
       detail_(new TextLabel({type_size::kBody, false, true, true})),
       begin_(makeToolButton(tr("BEGIN"), tr("Begin the hits of this axis anew"), "tap-begin")),
       files_(makeToolButton(tr("FILES"), tr("Open files of a tap test"), "tap-files")),
+      questions_(new QWidget),
+      questionRows_(new QGridLayout(questions_)),
+      flip_(makeToolButton(tr("SENSOR OPPOSITE"), tr("The sensor sits on the other side: turn the response"),
+                           "tap-flip")),
+      read_(makeToolButton(tr("READ"), tr("Read the files again with what was said"), "tap-read")),
       table_(makeTable(hits_, tr("Hits"), QStringLiteral("tap-hits"))) {
   auto* column = new QVBoxLayout(this);
   auto* choices = new QGridLayout;
@@ -50,10 +56,18 @@ TapMeasure::TapMeasure(TapController& controller, QWidget* parent)
   detail_->setObjectName(QStringLiteral("tap-detail"));
   column->addWidget(sign_);
   column->addWidget(detail_);
+  questions_->setObjectName(QStringLiteral("tap-questions"));
+  questionRows_->setContentsMargins(0, 0, 0, 0);
+  questionRows_->setColumnStretch(1, 1);
+  questions_->hide();
+  column->addWidget(questions_);
+  flip_->setCheckable(true);
   auto* buttons = new QHBoxLayout;
   begin_->setKey(Qt::Key_F8);
   buttons->addWidget(begin_);
   buttons->addWidget(files_);
+  buttons->addWidget(read_);
+  buttons->addWidget(flip_);
   buttons->addStretch(1);
   column->addLayout(buttons);
   column->addWidget(table_, 1);
@@ -66,6 +80,8 @@ TapMeasure::TapMeasure(TapController& controller, QWidget* parent)
   connect(response_, &QComboBox::activated, this, [this](int row) { controller_.chooseResponse(row); });
   connect(begin_, &TouchButton::clicked, this, [this] { controller_.begin(axis_); });
   connect(files_, &TouchButton::clicked, this, &TapMeasure::openFiles);
+  connect(read_, &TouchButton::clicked, this, &TapMeasure::answer);
+  connect(flip_, &TouchButton::clicked, this, &TapMeasure::answer);
   connect(&hits_, &TickTable::tickAsked, this,
           [this](int row, bool ticked) { controller_.useHit(axis_, static_cast<std::size_t>(row), ticked); });
 }
@@ -92,8 +108,51 @@ void TapMeasure::showEvent(QShowEvent* event) {
 }
 
 void TapMeasure::openFiles() {
-  chooseFiles(this, tr("Files of a tap test"), QFileDialog::ExistingFiles, {},
-              [this](const QStringList& paths) { controller_.openFiles(paths); });
+  chooseFiles(
+      this, tr("Files of a tap test"), QFileDialog::ExistingFiles, {},
+      [this](const QStringList& paths) { controller_.openFiles(paths, axis_); }, recordingFilters(true));
+}
+
+// Fields stay while they are typed into: only what is asked anew is added.
+void TapMeasure::showQuestions() {
+  const TapFileReading& reading = controller_.reading();
+  const auto same = [](TapQuestion question, const auto& row) { return question == row.first; };
+  if (!std::equal(reading.questions.begin(), reading.questions.end(), asked_.begin(), asked_.end(), same)) {
+    while (QLayoutItem* item = questionRows_->takeAt(0)) {
+      item->widget()->deleteLater();
+      delete item;
+    }
+    for (const auto& [question, edit] : asked_) forgetTyped(edit);
+    asked_.clear();
+    for (const TapQuestion question : reading.questions) {
+      const TapQuestionText text = tapQuestion(question);
+      auto* label = new TextLabel(TextLabel::Look{type_size::kBody}, text.asked);
+      QLineEdit* edit = makeEdit(text.asked, QStringLiteral("tap-question-%1").arg(static_cast<int>(question)));
+      edit->setPlaceholderText(text.example);
+      const auto said = reading.answers.said.find(question);
+      if (said != reading.answers.said.end()) edit->setText(said->second);
+      connect(edit, &QLineEdit::returnPressed, this, &TapMeasure::answer);
+      const int row = static_cast<int>(asked_.size());
+      questionRows_->addWidget(label, row, 0);
+      questionRows_->addWidget(edit, row, 1);
+      label->applyTheme(theme());
+      dressTyped(edit);
+      asked_.emplace_back(question, edit);
+    }
+  }
+  const bool asks = !asked_.empty() && (!reading.problem.isEmpty() || reading.runs);
+  questions_->setVisible(asks);
+  read_->setVisible(asks);
+  flip_->setVisible(reading.flipAsked);
+  flip_->setChecked(reading.answers.flip);
+  table_->setVisible(!asks);
+}
+
+void TapMeasure::answer() {
+  TapAnswers answers;
+  for (const auto& [question, edit] : asked_) answers.said[question] = edit->text();
+  answers.flip = flip_->isChecked();
+  controller_.answer(answers);
 }
 
 void TapMeasure::showChannels() {
@@ -119,6 +178,7 @@ void TapMeasure::showChannels() {
 void TapMeasure::refresh(int axis, UnitSystem) {
   axis_ = axis;
   showChannels();
+  showQuestions();
   const TapListening& listening = controller_.listening();
   const bool runs = listening.state == TapListening::State::Running;
   if (listening.state == TapListening::State::Off) device_->setCurrentIndex(0);
@@ -134,9 +194,11 @@ void TapMeasure::refresh(int axis, UnitSystem) {
   detail_->setText(sign.detail);
   detail_->setVisible(!sign.detail.isEmpty());
   begin_->setEnabled(runs && listening.response >= 0);
-  const bool withForce = controller_.files().isEmpty() ? listening.force >= 0 : controller_.response(axis).withForce;
+  const auto& hits = controller_.hits(axis);
+  const bool ofFiles = !hits.empty() && !hits.front().file.isEmpty();
+  const bool withForce = ofFiles ? controller_.response(axis).withForce : listening.force >= 0;
   const int before = hits_.rowCount();
-  hits_.show(hitHeader(withForce), hitRows(controller_.hits(axis), withForce));
+  hits_.show(hitHeader(withForce), hitRows(hits, withForce));
   // To a new one; who looks at an older one stays there.
   if (hits_.rowCount() > before) table_->scrollToBottom();
 }

@@ -5,6 +5,8 @@
 #include "ui/models/tap/tick_table.h"
 #include "ui/pages/tap/tap_part.h"
 
+class QGridLayout;
+
 namespace stillcut::ui {
 
 class LimitBar;
@@ -24,12 +26,19 @@ class TapMeasure : public TapPart {
   void showDevices();
   void showChannels();
   void openFiles();
+  void showQuestions();
+  void answer();
 
   int axis_ = 0;
   QComboBox *device_, *force_, *response_;
   LimitBar *forceMeter_, *responseMeter_;
   TextLabel *sign_, *detail_;
   TouchButton *begin_, *files_;
+  // What a file does not say; shown when it is asked for.
+  QWidget* questions_;
+  QGridLayout* questionRows_;
+  TouchButton *flip_, *read_;
+  std::vector<std::pair<TapQuestion, QLineEdit*>> asked_;
   TickTable hits_;
   QTableView* table_;
   QStringList channels_;  // that are offered

@@ -39,7 +39,11 @@ TapModes::TapModes(TapController& controller, QWidget* parent)
   said_->hide();
   connect(&modes_, &TickTable::tickAsked, this,
           [this](int row, bool ticked) { controller_.useMode(axis_, static_cast<std::size_t>(row), ticked); });
+  connect(name_, &QLineEdit::textChanged, this, [this] { keep_->setAsking(false); });
   connect(keep_, &TouchButton::clicked, this, [this] {
+    if (const QString there = controller_.keptAlready(TapKept::Modes, name_->text()); asksFirst(keep_, said_, there)) {
+      return;
+    }
     const auto kept = controller_.saveModes(name_->text());
     said_->setTone(kept ? Tone::Normal : Tone::Onset);
     said_->setText(kept ? tr("Kept; a tool takes it as the file of its modes: %1").arg(*kept) : sayError(kept.error()));

@@ -126,7 +126,7 @@ void TapPage::dropEvent(QDropEvent* event) {
   const QStringList paths = filesOf(event->mimeData());
   if (paths.isEmpty()) return;
   event->acceptProposedAction();
-  controller_->openFiles(paths);
+  controller_->openFiles(paths, axis_);
   showPart(0);
 }
 

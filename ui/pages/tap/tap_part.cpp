@@ -10,10 +10,13 @@
 
 #include "ui/models/tap/tick_table.h"
 #include "ui/widgets/painting.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/touch_button.h"
 
 namespace stillcut::ui {
 
-TapPart::TapPart(TapController& controller, QWidget* parent) : Panel(parent), controller_(controller) {}
+TapPart::TapPart(TapController& controller, QWidget* parent)
+    : Panel(parent), controller_(controller), theme_(makeTheme(ThemeKind::Light, 1.0)) {}
 
 QComboBox* TapPart::makeChoice(const QString& spoken, const QString& name) {
   auto* choice = new QComboBox;
@@ -59,13 +62,26 @@ QTableView* TapPart::makeTable(TickTable& rows, const QString& spoken, const QSt
   return table;
 }
 
+bool TapPart::asksFirst(TouchButton* keep, TextLabel* said, const QString& there) {
+  const bool asks = !there.isEmpty() && !keep->asking();
+  keep->setAsking(asks, tr("KEEP?"));
+  if (!asks) return false;
+  said->setTone(Tone::Onset);
+  said->setText(tr("%1 is there already. Touch KEEP again to overwrite it, or give another name.").arg(there));
+  said->show();
+  return true;
+}
+
+void TapPart::dressTyped(QWidget* field) const {
+  field->setFont(theme_.font(type_size::kBody));
+  field->setFixedHeight(touchHeight(theme_, this));
+}
+
 void TapPart::applyTheme(const Theme& theme) {
   Panel::applyTheme(theme);
+  theme_ = theme;
   const int high = touchHeight(theme, this);
-  for (QWidget* widget : typed_) {
-    widget->setFont(theme.font(type_size::kBody));
-    widget->setFixedHeight(high);
-  }
+  for (QWidget* widget : typed_) dressTyped(widget);
   for (QTableView* table : tables_) {
     table->setFont(theme.font(type_size::kBody));
     table->horizontalHeader()->setFont(theme.font(type_size::kLabel));

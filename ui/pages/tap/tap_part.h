@@ -13,7 +13,9 @@ class QTableView;
 
 namespace stillcut::ui {
 
+class TextLabel;
 class TickTable;
+class TouchButton;
 
 class TapPart : public Panel {
   Q_OBJECT
@@ -37,9 +39,17 @@ class TapPart : public Panel {
   // A table whose rows a touch ticks.
   QTableView* makeTable(TickTable& rows, const QString& spoken, const QString& name);
 
+  // A file of that name is there: the first touch asks, the second one overwrites.
+  bool asksFirst(TouchButton* keep, TextLabel* said, const QString& there);
+  // Of a field made after the theme was set, and of one that goes.
+  void dressTyped(QWidget* field) const;
+  void forgetTyped(QWidget* field) { typed_.removeOne(field); }
+  const Theme& theme() const { return theme_; }
+
   TapController& controller_;
 
  private:
+  Theme theme_;
   QList<QWidget*> typed_;
   QList<QTableView*> tables_;
 };

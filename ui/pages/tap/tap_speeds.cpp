@@ -46,7 +46,9 @@ TapSpeeds::TapSpeeds(TapController& controller, QWidget* parent)
                                                         highest_, deepest_}) {
     add(field);
   }
-  for (int k = 0; k < 3; ++k) form->setColumnStretch(k, 1);
+  // Names of materials are long, numbers short.
+  for (int k = 0; k < 3; ++k) form->setColumnStretch(k, k == 0 ? 2 : 1);
+  material_->setMinimumContentsLength(18);
   column->addLayout(form);
   answer_->setObjectName(QStringLiteral("tap-answer"));
   detail_->setObjectName(QStringLiteral("tap-answer-detail"));
@@ -63,11 +65,14 @@ TapSpeeds::TapSpeeds(TapController& controller, QWidget* parent)
   said_->setObjectName(QStringLiteral("tap-cut-kept"));
   said_->hide();
   connect(tool_, &QComboBox::activated, this, [this](int row) {
+    keep_->setAsking(false);
     if (row > 0) fill(controller_.withTool(typed(), tool_->currentText()));
     edited();
   });
   connect(keep_, &TouchButton::clicked, this, [this] {
-    const auto kept = controller_.saveCut(tool_->currentIndex() > 0 ? tool_->currentText() : QString());
+    const QString tool = tool_->currentIndex() > 0 ? tool_->currentText() : QString();
+    if (asksFirst(keep_, said_, controller_.keptAlready(TapKept::Cut, tool))) return;
+    const auto kept = controller_.saveCut(tool);
     said_->setTone(kept ? Tone::Normal : Tone::Onset);
     said_->setText(kept ? tr("Kept: %1").arg(*kept) : sayError(kept.error()));
     said_->show();

@@ -176,7 +176,9 @@ void HistoryMap::drawHoles(QPainter& p, const QRect& plot) const {
   p.setClipRect(plot);
   for (auto c = columns.begin(); c != columns.end(); ++c) {
     if (!c->afterGap || c == columns.begin() || c->time < view().from()) continue;
-    const double x = xOf((c - 1)->time), width = std::max(xOf(c->time) - x, 2.0);
+    // Where the screen has missed columns as well, nobody knows how much of it was lost: a mark, no stretch.
+    const bool whole = c->number == (c - 1)->number + 1;
+    const double x = whole ? xOf((c - 1)->time) : xOf(c->time) - 2.0, width = std::max(xOf(c->time) - x, 2.0);
     p.fillRect(QRectF(x, plot.top(), width, plot.height()), QBrush(theme().colors.hatch, Qt::BDiagPattern));
   }
   p.restore();

@@ -52,7 +52,8 @@ void SpectrogramImage::append(const SpectrumColumn& column, Tone alarm) {
   const bool repaint = range_.add(column.level_dB);
   if (capacity_ > 0) {
     const long steps = std::max(std::lround(since / period_), 1L);
-    for (long k = 1; k < steps; ++k) push(Cell{});
+    // Hatched is only what the device has lost. Columns that a late screen has missed are left empty.
+    for (long k = 1; k < steps; ++k) push(Cell{false, column.afterGap, Tone::Normal, {}});
     push(cellOf(column, alarm));
     if (repaint) paintAll();
   }

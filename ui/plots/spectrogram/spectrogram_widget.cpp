@@ -205,10 +205,10 @@ void SpectrogramWidget::drawGaps(QPainter& p, const QRect& plot) const {
   p.setPen(Qt::NoPen);
   for (const SpectrogramImage::Cell& cell : cells) {
     const QRectF column(x, plot.top(), width + 0.5, plot.height());
-    if (!cell.present) {
+    if (!cell.present && cell.afterGap) {
       p.fillRect(column, theme_.colors.gap);
       p.fillRect(column, QBrush(theme_.colors.hatch, Qt::BDiagPattern));
-    } else if (cell.afterGap) {
+    } else if (cell.present && cell.afterGap) {
       p.fillRect(QRectF(x, plot.top(), std::max(1.5, width * 0.5), plot.height()),
                  QBrush(theme_.colors.hatch, Qt::Dense3Pattern));
     }
@@ -224,7 +224,7 @@ void SpectrogramWidget::drawAxes(QPainter& p, const QRect& plot) const {
   const QFontMetrics metrics = p.fontMetrics();
   const int half = metrics.capHeight() / 2;
   const double perHertz = unitsPerHertz();
-  const QString unit = axis_ == Axis::Hertz ? tr("Hz") : axis_ == Axis::Order ? tr("order") : tr("rpm");
+  const QString unit = axis_ == Axis::Hertz ? tr("Hz") : axis_ == Axis::Order ? tr("order") : rpmUnit();
   p.setPen(theme_.colors.secondary);
   const int most = std::max(plot.height() / theme_.px(30), 2);
   for (const double value :

@@ -134,7 +134,8 @@ void WaterfallStack::drawGaps(QPainter& p, const Theme& theme, Instant after, In
                             [](Instant t, const SpectrumColumn& column) { return t < column.time; });
   for (; c != columns.end() && c->time <= until; ++c) {
     if (!c->afterGap || c == columns.begin()) continue;
-    const double low = footOf(c->time), high = std::min(footOf((c - 1)->time), low - 2.0);
+    const bool whole = c->number == (c - 1)->number + 1;  // the screen has missed no column besides
+    const double low = footOf(c->time), high = whole ? std::min(footOf((c - 1)->time), low - 2.0) : low - 2.0;
     p.fillRect(QRectF(plot_.left(), high, plot_.width(), low - high), theme.colors.gap);
     p.fillRect(QRectF(plot_.left(), high, plot_.width(), low - high), QBrush(theme.colors.hatch, Qt::BDiagPattern));
   }

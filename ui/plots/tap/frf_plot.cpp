@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/plots/axis_painter.h"
@@ -81,35 +82,45 @@ void FrfPlot::drawFrame(QPainter& p, const Box& box) const {
   drawLeftAxis(p, box.place, {box.low, box.high}, box.unit, theme_);
 }
 
-void FrfPlot::drawBox(QPainter& p, Box box, const Value& value, bool ownRange) const {
-  if (ownRange) {
-    double low = 0.0, high = 0.0;
-    for (const auto& line : shown_.measured) {
-      low = std::min(low, value(line));
-      high = std::max(high, value(line));
-    }
-    const double room = std::max(0.05 * (high - low), 1e-12);
-    box.low = low - room;
-    box.high = high + room;
+// As much of the scale as the measured values take.
+void FrfPlot::fitRange(Box& box) const {
+  double low = 0.0, high = 0.0;
+  for (const auto& line : shown_.measured) {
+    low = std::min(low, box.value(line));
+    high = std::max(high, box.value(line));
   }
-  drawFrame(p, box);
-  drawCurve(p, box, pen(theme_.colors.text), [&](std::size_t k) { return value(shown_.measured[k]); });
-  if (shown_.fitted.size() != shown_.frequency.size()) return;
-  drawCurve(p, box, pen(theme_.colors.advice, Qt::DashLine), [&](std::size_t k) { return value(shown_.fitted[k]); });
+  const double room = std::max(0.05 * (high - low), 1e-12);
+  box.low = low - room;
+  box.high = high + room;
 }
 
-void FrfPlot::drawCoherence(QPainter& p, const QRect& place) const {
-  const Box box{place, tr("Coherence; below the mark it says little"), {}, 0.0, 1.0};
+void FrfPlot::drawBox(QPainter& p, const Box& box) const {
   drawFrame(p, box);
+  drawCurve(p, box, pen(theme_.colors.text), [&](std::size_t k) { return box.value(shown_.measured[k]); });
+  if (shown_.fitted.size() != shown_.frequency.size()) return;
+  drawCurve(p, box, pen(theme_.colors.advice, Qt::DashLine),
+            [&](std::size_t k) { return box.value(shown_.fitted[k]); });
+}
+
+void FrfPlot::drawCoherence(QPainter& p, const Box& box) const {
+  const QRect& place = box.place;
+  const bool known = shown_.coherence.size() == shown_.frequency.size();
+  drawFrame(p, box);
+  if (!known) {
+    // On a bed of its own: no line crosses it.
+    const QString why = shown_.withForce ? tr("One hit only: not known") : tr("No hammer: not known");
+    const QFontMetrics metrics(p.font());
+    QRect bed(0, 0, metrics.horizontalAdvance(why) + theme_.px(16), metrics.height());
+    bed.moveCenter(place.center());
+    p.fillRect(bed, theme_.colors.track);
+    p.setPen(theme_.colors.secondary);
+    p.drawText(bed, Qt::AlignCenter, why);
+    return;
+  }
   const double y = place.bottom() - kTells * place.height();
   p.setPen(QPen(theme_.colors.secondary, 1.0, Qt::DashLine));
   p.drawLine(QPointF(place.left(), y), QPointF(place.right(), y));
-  if (shown_.coherence.size() == shown_.frequency.size()) {
-    drawCurve(p, box, pen(theme_.colors.text), [&](std::size_t k) { return shown_.coherence[k]; });
-    return;
-  }
-  p.setPen(theme_.colors.secondary);
-  p.drawText(place, Qt::AlignCenter, shown_.withForce ? tr("One hit only: not known") : tr("No hammer: not known"));
+  drawCurve(p, box, pen(theme_.colors.text), [&](std::size_t k) { return shown_.coherence[k]; });
 }
 
 void FrfPlot::paintEvent(QPaintEvent*) {
@@ -123,27 +134,36 @@ void FrfPlot::paintEvent(QPaintEvent*) {
                                         : shown_.problem);
     return;
   }
-  const int left = theme_.px(62), gap = theme_.px(10), title = theme_.px(18), bottom = theme_.px(28);
-  const int wide = width() / 2, high = (height() - bottom) * 2 / 5, low = height() - bottom - 2 * high;
-  const auto place = [&](int column, int row) {
-    return QRect(column * wide + left, row * high + title, wide - left - gap, high - title - gap);
-  };
   const QString unit = shown_.withForce ? QStringLiteral("\u00b5m/N") : QString();
   const double scale = shown_.withForce ? kMicro : 1.0;
-  drawBox(
-      p, {place(0, 0), tr("Real part; dashed: the modes"), unit}, [&](auto v) { return scale * v.real(); }, true);
-  drawBox(
-      p, {place(0, 1), tr("Imaginary part"), unit}, [&](auto v) { return scale * v.imag(); }, true);
   double most = -1e300;
   for (const auto& v : shown_.measured) most = std::max(most, decibel(v));
   most = std::ceil(most / 10.0) * 10.0;
-  drawBox(p, {place(1, 0), tr("Magnitude"), QStringLiteral("dB"), most - kSpan_dB, most}, decibel, false);
-  drawBox(
-      p, {place(1, 1), tr("Phase"), QStringLiteral("\u00b0"), -190.0, 190.0},
-      [](auto v) { return std::arg(v) * kDegrees; }, false);
-  const QRect strip(left, 2 * high + title, width() - left - gap, low - title - gap);
-  drawCoherence(p, strip);
-  drawBottomAxis(p, strip, {0.0, shown_.frequency.back()}, QStringLiteral("Hz"), theme_);
+  // Two columns of two, and the coherence below both.
+  std::array<Box, 4> boxes{
+      Box{{}, tr("Real part; dashed: the modes"), unit, 0.0, 1.0, [&](auto v) { return scale * v.real(); }},
+      Box{{}, tr("Imaginary part"), unit, 0.0, 1.0, [&](auto v) { return scale * v.imag(); }},
+      Box{{}, tr("Magnitude"), QStringLiteral("dB"), most - kSpan_dB, most, decibel},
+      Box{{}, tr("Phase"), QStringLiteral("\u00b0"), -190.0, 190.0, [](auto v) { return std::arg(v) * kDegrees; }}};
+  fitRange(boxes[0]);
+  fitRange(boxes[1]);
+  Box coherence{{}, tr("Coherence; below the mark it says little"), {}, 0.0, 1.0, {}};
+  const int gap = theme_.px(10), title = theme_.px(18), bottom = theme_.px(28);
+  const int wide = width() / 2, high = (height() - bottom) * 2 / 5, low = height() - bottom - 2 * high;
+  const int plotHigh = high - title - gap, stripHigh = low - title - gap;
+  // Every sign and digit has room, and what stands below each other is aligned.
+  std::array<int, 2> left{leftAxisWidth(stripHigh, {0.0, 1.0}, {}, theme_), 0};
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    left[k / 2] = std::max(left[k / 2], leftAxisWidth(plotHigh, {boxes[k].low, boxes[k].high}, boxes[k].unit, theme_));
+  }
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const int column = static_cast<int>(k / 2), row = static_cast<int>(k % 2);
+    boxes[k].place = QRect(column * wide + left[k / 2], row * high + title, wide - left[k / 2] - gap, plotHigh);
+    drawBox(p, boxes[k]);
+  }
+  coherence.place = QRect(left[0], 2 * high + title, width() - left[0] - gap, stripHigh);
+  drawCoherence(p, coherence);
+  drawBottomAxis(p, coherence.place, {0.0, shown_.frequency.back()}, QStringLiteral("Hz"), theme_);
 }
 
 }  // namespace stillcut::ui

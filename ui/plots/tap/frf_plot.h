@@ -32,9 +32,11 @@ class FrfPlot : public QWidget, public Themed {
     QRect place;
     QString title, unit;
     double low = 0.0, high = 1.0;
+    Value value;
   };
-  void drawBox(QPainter& p, Box box, const Value& value, bool ownRange) const;
-  void drawCoherence(QPainter& p, const QRect& place) const;
+  void fitRange(Box& box) const;
+  void drawBox(QPainter& p, const Box& box) const;
+  void drawCoherence(QPainter& p, const Box& box) const;
   void drawFrame(QPainter& p, const Box& box) const;
   void drawCurve(QPainter& p, const Box& box, const QPen& pen, const std::function<double(std::size_t)>& value) const;
   double across(double frequency, const QRect& box) const;

@@ -99,7 +99,7 @@ void TapLobePlot::paintEvent(QPaintEvent*) {
   if (!shown_.limits.empty()) {
     drawLeftAxis(p, box, {0.0, lengthIn(Metres(top_), units_)}, lengthUnit(units_), theme_);
   }
-  drawBottomAxis(p, box, {shown_.cut.lowest.value, shown_.cut.highest.value}, tr("rpm"), theme_);
+  drawBottomAxis(p, box, {shown_.cut.lowest.value, shown_.cut.highest.value}, rpmUnit(), theme_);
 }
 
 }  // namespace stillcut::ui
