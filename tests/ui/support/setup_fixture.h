@@ -26,6 +26,8 @@ inline MachineSearch twoServersOfOneMill() {
 
 class SetupPageTest : public WindowTest {
  protected:
+  // The page lets a device go that it listens to: its controller has to be there.
+  ~SetupPageTest() override { window_.reset(); }
   void openSetup(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
     session_.setSetup(&controller_);
     open(width, height, theme);
