@@ -112,7 +112,7 @@ Status checkChannels(const std::string& path, const record::RecordingFormat& for
                message("choose at most 32 with --channel N[,N]")};
 }
 
-Result<Opened> openAll(const std::string& path, const record::ReadOptions& read) {
+Result<Opened> openAll(const std::string& path, const record::ReadOptions& read, Hertz told) {
   auto reader = evaluate::openCut(path, read);
   if (!reader) return reader.error();
   const record::RecordingFormat& format = (*reader)->format();
@@ -123,7 +123,7 @@ Result<Opened> openAll(const std::string& path, const record::ReadOptions& read)
     opened.reader = std::move(reader).value();
     return opened;
   }
-  auto leftOut = evaluate::surveyChannels(**reader);
+  auto leftOut = evaluate::surveyChannels(**reader, told);
   if (!leftOut) return leftOut.error();
   opened.leftOut = std::move(leftOut).value();
   if (!opened.leftOut.empty()) {
@@ -144,8 +144,8 @@ Result<Opened> openAll(const std::string& path, const record::ReadOptions& read)
   return opened;
 }
 
-Result<Opened> openChannels(const std::string& path, const record::ReadOptions& read) {
-  auto opened = openAll(path, read);
+Result<Opened> openChannels(const std::string& path, const record::ReadOptions& read, Hertz told) {
+  auto opened = openAll(path, read, told);
   if (!opened) return opened;
   if (const Status fits = checkChannels(path, opened->reader->format()); !fits) return fits.error();
   return opened;
@@ -154,7 +154,7 @@ Result<Opened> openChannels(const std::string& path, const record::ReadOptions& 
 }  // namespace
 
 Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options) {
-  auto opened = openChannels(path, options.read);
+  auto opened = openChannels(path, options.read, toHertz(options.speed));
   if (!opened) return opened.error();
   const record::RecordingFormat format = opened->reader->format();
 

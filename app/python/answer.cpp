@@ -77,7 +77,7 @@ std::string analyzeSamples(const Sampled& about, std::span<const float> samples,
   if (samples.size() < options.setup.channels.size()) throw std::invalid_argument("samples: there are none");
   ArrayReader reader(samples, options.setup.channels, options.setup.rate);
   evaluate::JudgedRecording judged;
-  judged.leftOut = valueOf(evaluate::surveyChannels(reader));
+  judged.leftOut = valueOf(evaluate::surveyChannels(reader, toHertz(options.setup.nominalSpeed)));
   std::vector<float> kept;
   if (!judged.leftOut.empty()) {
     kept = without(judged.leftOut, samples, about.channels, judged.fileChannels);

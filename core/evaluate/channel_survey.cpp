@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/evaluate/hum_survey.h"
+
 namespace stillcut::evaluate {
 namespace {
 
@@ -76,7 +78,7 @@ class Sketch {
 
 }  // namespace
 
-Result<std::vector<LeftOutChannel>> surveyChannels(record::RecordingReader& reader) {
+Result<std::vector<LeftOutChannel>> surveyChannels(record::RecordingReader& reader, Hertz told) {
   const record::RecordingFormat& format = reader.format();
   const std::size_t channels = format.channels.size();
   std::vector<Sketch> sketches(channels), levels(channels);
@@ -84,9 +86,11 @@ Result<std::vector<LeftOutChannel>> surveyChannels(record::RecordingReader& read
   SampleBlock block;
   block.allocate(static_cast<int>(channels), std::max(kAtOnce, format.blockFrames));
   const double least = kLeastLook * format.rate.value;
+  HumSurvey hum(channels, format.rate);
+  const double compared = channels > 1 ? HumSurvey::kLongest.value * format.rate.value : 0.0;
   for (double frames = 0.0;;) {
-    const bool decided =
-        frames >= least && std::all_of(sketches.begin(), sketches.end(), [](const Sketch& s) { return s.moves(); });
+    const bool decided = frames >= std::max(least, compared) &&
+                         std::all_of(sketches.begin(), sketches.end(), [](const Sketch& s) { return s.moves(); });
     if (decided) break;
     const Result<bool> more = reader.read(block);
     if (!more) return more.error();
@@ -94,14 +98,20 @@ Result<std::vector<LeftOutChannel>> surveyChannels(record::RecordingReader& read
     for (std::size_t c = 0; c < channels; ++c) {
       const std::span<const float> samples = block.channel(static_cast<int>(c));
       sketches[c].see(samples);
+      if (channels > 1) hum.see(c, samples);
       if (frames < least) beginning[c].insert(beginning[c].end(), samples.begin(), samples.end());
     }
     frames += block.frames;
   }
+  const std::vector<Hertz> hums = hum.hums(told);
   std::vector<LeftOutChannel> none;
   for (std::size_t c = 0; c < channels; ++c) {
     levels[c].seeLevels(beginning[c], sketches[c]);
     Message why = sketches[c].whyNone(levels[c]);
+    if (why.empty() && hums[c].value > 0.0) {
+      why = message("it is mains hum of %1 Hz and little else, look at its shield and ground",
+                    std::to_string(std::lround(hums[c].value)));
+    }
     if (!why.empty()) none.push_back({static_cast<int>(c), format.channels[c].info.name, std::move(why)});
   }
   if (none.size() == channels) none.clear();

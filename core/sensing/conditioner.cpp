@@ -40,13 +40,10 @@ constexpr Hertz kHighestChatter{2500.0};
 constexpr int kLowPassOrder = 4;
 constexpr Seconds kTurnUnknown{0.02};
 constexpr Seconds kStep{1e-3};
-constexpr int kSideLines = 3;       // with the line itself: fewer stand on one spacing by chance
-constexpr double kMostly = 0.5;     // of the line power
-constexpr double kExplained = 0.4;  // of the lines' weight by two series; by chance a quarter
-constexpr int kLooks = 3;           // on end
+constexpr int kLooks = 3;  // on end
 // Lines of teeth that cut, with what they make vibrate: blows have many. A spindle that idles has one or two of its
 // own, and those of its motor and of fans.
-constexpr int kCutLines = 5;
+constexpr int kCutLines = 4;
 
 // Speed and current are integrals of the cutting torque and fall with the frequency; what an encoder or a converter
 // adds does not, and an encoder's rises with it. Above where tools chatter they tell nothing.
@@ -266,9 +263,7 @@ void Conditioner::lookAtLines() noexcept {
   series_.look(speed_.centre(), speed_.centreSd());
   series_.compare(speed_.foundFar() ? speed_.spindle() : Hertz(0.0));
   const SeriesLook& look = series_.newest();
-  const bool chatter = look.certain && look.teethHeard && look.explained > kExplained &&
-                       look.free.members >= kSideLines && look.free.share > kMostly;
-  startsInChatter_ = chatter ? startsInChatter_ + 1 : 0;
+  startsInChatter_ = look.certain && look.familyLeads ? startsInChatter_ + 1 : 0;
   if (gate_.inCut()) speed_.believe(look.spindle, look.sd, look.certain && look.teethHeard);
 }
 
@@ -285,12 +280,13 @@ void Conditioner::advanceGate() noexcept {
   // An idling spindle puts no force on the tool: any series of its orders is cut. In a slot that four teeth cut the
   // tooth passing is nearly constant, and its runout is what a force sensor measures.
   const bool teeth = speed_.forced() || (onlyForce_ && look.certain);
-  gate_.setForced((teeth && look.lines >= kCutLines) || chattersFromTheStart());
+  gate_.setForced((teeth && look.seriesLines >= kCutLines) || chattersFromTheStart());
   gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.isolatedLine().value > 0.0 ||
                       (look.certain && look.teethHeard));
   for (double& s : squares_) s /= stepFrames_;
   gate_.advance(std::span(squares_).first(static_cast<std::size_t>(channels_)),
                 Seconds(stepFrames_ / setup_.rate.value), turn);
+  if (before == CutPhase::AirCutting && gate_.inCut() && !gate_.airSeen() && chattersFromTheStart()) series_.allIsCut();
   if (before == CutPhase::AirCutting && gate_.inCut() && gate_.airSeen()) {
     speed_.beginCut();
     series_.beginCut();

@@ -28,6 +28,9 @@ constexpr double kAgrees = 2e-3;       // relative: further apart, one of two wa
 constexpr double kDriveRipple = 20.0;  // Hz: what is left of a drive's tone as its torque ripples
 constexpr std::size_t kLobe = 2;       // bins beside a Hann line
 constexpr double kSpeedDoubt = 1e-4;   // of one cell of the belief
+constexpr int kSideLines = 3;          // with the line itself: fewer stand on one spacing by chance
+constexpr double kMostly = 0.5;        // of the line power
+constexpr double kExplained = 0.4;     // of the lines' weight by two series; by chance a quarter
 
 // Below this part of the most that it was of late; the newest value goes into the row.
 template <std::size_t N>
@@ -54,7 +57,7 @@ void SeriesWatch::prepare(const CutSetup& setup, double doubt) {
   heard_.prepare(channels_, static_cast<int>(window_));
   spectrum_.prepare(static_cast<int>(window_), setup.rate, dsp::WindowKind::Hann);
   const auto bins = static_cast<std::size_t>(spectrum_.bins());
-  powers_.assign(bins, 0.0);
+  powers_.assign(static_cast<std::size_t>(channels_), std::vector<double>(bins, 0.0));
   air_.assign(static_cast<std::size_t>(channels_), std::vector<double>(bins, 0.0));
   lists_.assign(static_cast<std::size_t>(channels_), {});
   for (LineList& list : lists_) list.prepare(spectrum_.bins(), Hertz(spectrum_.binWidth()));
@@ -90,9 +93,11 @@ void SeriesWatch::push(const double* const* samples, int frames, bool air) noexc
   inCut_ = air ? 0 : inCut_ + frames;
 }
 
-void SeriesWatch::learnAir(std::size_t channel) noexcept {
-  std::vector<double>& air = air_[channel];
-  for (std::size_t b = 0; b < powers_.size(); ++b) air[b] = std::max(air[b], powers_[b]);
+void SeriesWatch::learnAir() noexcept {
+  for (std::size_t c = 0; c < air_.size(); ++c) {
+    std::transform(air_[c].begin(), air_[c].end(), powers_[c].begin(), air_[c].begin(),
+                   [](double a, double b) { return std::max(a, b); });
+  }
   airHeard_ = true;
 }
 
@@ -124,10 +129,9 @@ void SeriesWatch::gather(Hertz told) noexcept {
   const Hertz high(std::min(kHighest.value, kUsableBand * rate_));
   for (std::size_t c = 0; c < lists_.size(); ++c) {
     spectrum_.transform(heard_.newest(static_cast<int>(c)));
-    spectrum_.powers(powers_);
-    lists_[c].find(powers_, told * kLowest, high);
+    spectrum_.powers(powers_[c]);
+    lists_[c].find(powers_[c], told * kLowest, high);
     markMachines(c);
-    if (inAir_ >= window_ + hop_) learnAir(c);  // what the first look finds may yet be a cut
     series_.add(lists_[c].lines());
   }
   look_.whole = inCut_ >= window_;
@@ -146,6 +150,7 @@ void SeriesWatch::look(Hertz told, double sd) noexcept {
     const unsigned count = look_.count;
     look_ = {};
     look_.count = count;
+    if (inAir_ >= window_ + hop_) learnAir();
     return;
   }
   // A speed that is told anew keeps the ratio of true to told speed only where it is near.
@@ -153,6 +158,15 @@ void SeriesWatch::look(Hertz told, double sd) noexcept {
   centre_ = told.value;
   belief_.look(series_, told, since);
   judge(told);
+  // What the first look finds may yet be a cut, and what chatters in one is no machine's.
+  if (inAir_ >= window_ + hop_ && !look_.familyLeads) learnAir();
+}
+
+void SeriesWatch::judgeFamily() noexcept {
+  const int family = look_.free.members >= kSideLines ? look_.free.members : 0;
+  look_.seriesLines = series_.onOrders(look_.spindle) + family;
+  look_.familyLeads = look_.teethHeard && look_.explained > kExplained && look_.free.members >= kSideLines &&
+                      look_.free.share > kMostly;
 }
 
 // The mean over the likely speeds.
@@ -198,8 +212,8 @@ void SeriesWatch::judge(Hertz told) noexcept {
     for (const SpectralLine& line : lists_[c].lines()) {
       const auto order = std::lround(line.frequency / look_.spindle);
       const double away = std::abs(dsp::orderOffset(line.frequency, look_.spindle)) * look_.spindle.value;
-      const bool on = !line.machines && order > 0 && teeth_ > 0 && order % teeth_ == 0 && away < spectrum_.binWidth();
-      look_.teethHeard = look_.teethHeard || on;
+      const bool on = !line.machines && order > 0 && away < spectrum_.binWidth();
+      look_.teethHeard = look_.teethHeard || (on && teeth_ > 0 && order % teeth_ == 0);
     }
   }
   double offAll = 0.0;
@@ -216,6 +230,7 @@ void SeriesWatch::judge(Hertz told) noexcept {
   look_.leaving = quieter || unforced;
   look_.joint = inAll > 0.0 ? offAll / inAll : 0.0;
   watchSpeed(told * belief_.ofNewest());
+  judgeFamily();
 }
 
 // Lines are smeared, and the likely speed lags, where the spindle changed its speed within what was looked at.

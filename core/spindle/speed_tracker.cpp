@@ -33,6 +33,7 @@ constexpr double kFar = 0.05;              // of the speed; a comb further away 
 constexpr double kTeethOfFar = 0.5;        // ... unless the teeth make so much of it
 constexpr int kTrialTurns = 48;            // in which a comb that nobody told must be followed cleanly
 constexpr double kSlipped = 0.5;           // scatter of phases that are not held
+constexpr double kOffMains = 0.2;          // Hz, as hum_watch.h has it
 constexpr double kFine = 7e-4;
 constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
 constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
@@ -245,10 +246,17 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   }
 }
 
+// Mains hum and its multiples are a comb as well, as if teeth passed 50 or 60 times a second.
+bool SpeedTracker::mayBeHum(Hertz spindle) const noexcept {
+  const double passing = spindle.value * std::max(teeth_, 1);
+  return std::min(std::abs(passing - 50.0), std::abs(passing - 60.0)) < kOffMains;
+}
+
 bool SpeedTracker::believed(const Look& look) const noexcept {
   if (look.agreeing < (locked_ ? kReturnLooks : kSeekLooks)) return false;
   const Hertz found = look.found.spindle;
   if (believedElsewhere(found)) return false;
+  if (!locked_ && mayBeHum(found)) return false;
   if (!locked_) return look.found.toothPart * teeth_ >= look.found.part || teeth_ < 1;
   const bool teeth = teeth_ < 1 || look.found.toothPart > kTeethOfFar * look.found.part;
   const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave

@@ -103,6 +103,7 @@ class SpeedTracker {
   bool believedElsewhere(Hertz spindle) const noexcept;
   void dropUntrusted() noexcept;
   bool believed(const Look& look) const noexcept;
+  bool mayBeHum(Hertz spindle) const noexcept;
   void lock(Hertz spindle, Hertz sd, double drift = 0.0) noexcept;
 
   Look quick_;        // 12 turns: enough for a clean stable cut

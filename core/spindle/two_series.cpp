@@ -10,6 +10,7 @@ constexpr double kRange = 1e3;         // 30 dB: lines further below the stronge
 constexpr double kSpeedWander = 1e-4;  // relative, of a spindle within a window: blurs line n by n times that
 constexpr double kNoSecond = 0.02;     // orders: a second series nearer to the first is the first, blurred
 constexpr double kOffsetCost = 4.6;    // nepers: log of the 100 offsets among which the best one was chosen
+constexpr double kOn = 0.5;            // probability from which a line counts as one on an order
 constexpr double kMember = 0.01;       // 20 dB below the family's strongest line
 
 double offsetOf(double frequency, double spindle) {
@@ -90,6 +91,11 @@ TwoSeries::Fit TwoSeries::fit(Hertz spindle) const noexcept {
   }
   fit.score += std::max(0.0, best - kOffsetCost);
   return fit;
+}
+
+int TwoSeries::onOrders(Hertz spindle) const noexcept {
+  const auto on = [&](const Weighted& line) { return onOrder(line.frequency, spindle.value, kSpeedWander) > kOn; };
+  return static_cast<int>(std::count_if(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(count_), on));
 }
 
 double TwoSeries::explained(Hertz spindle) const noexcept {

@@ -42,6 +42,8 @@ class TwoSeries {
     double offset = 0.0;  // of the second series, orders
   };
   Fit fit(Hertz spindle) const noexcept;
+  // How many lines stand on orders of the spindle.
+  int onOrders(Hertz spindle) const noexcept;
   // Part of the lines' weight that stands on one of the two series.
   double explained(Hertz spindle) const noexcept;
   // spindleDoubt: relative; a line at a high order is known to be on it to no better.

@@ -67,12 +67,12 @@ TEST(JudgedTime, AirAloneIsNotJudged) {
 class Survey : public testing::Test {
  protected:
   using Column = std::function<double(int)>;
-  std::vector<LeftOutChannel> survey(const std::vector<Column>& columns) {
+  std::vector<LeftOutChannel> survey(const std::vector<Column>& columns, Hertz told = {}, int rows = 2000) {
     const std::string path = folder_ / "table.csv";
     std::ofstream out(path);
     out << "Time (s)";
     for (std::size_t c = 0; c < columns.size(); ++c) out << ",c" << c << " (m/s^2)";
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < rows; ++i) {
       out << "\n" << 1e-3 * i;
       for (const Column& column : columns) out << "," << column(i);
     }
@@ -80,7 +80,7 @@ class Survey : public testing::Test {
     out.close();
     auto reader = openCut(path);
     EXPECT_TRUE(reader.ok()) << reader.error().line();
-    auto left = surveyChannels(**reader);
+    auto left = surveyChannels(**reader, told);
     EXPECT_TRUE(left.ok());
     return left.value();
   }
@@ -111,6 +111,27 @@ TEST_F(Survey, AVibrationThatIsNotInOrderStays) {
 
 TEST_F(Survey, WhereNothingIsAVibrationAllStay) {
   EXPECT_TRUE(survey({[](int) { return 1.0; }, tacho}).empty());
+}
+
+// Five seconds beside a sound channel. A spindle of 3000 rev/min shakes a part at 50 Hz as well.
+TEST_F(Survey, MainsHumBesideAVibrationIsNamedUnlessTheSpindleMayForceIt) {
+  const Column hum = [](int i) { return std::sin(kTwoPi * 50.0 * 1e-3 * i) + 0.1 * vibration(i); };
+  const auto left = survey({vibration, hum}, {}, 5000);
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].index, 1);
+  EXPECT_THAT(text(left[0].why), testing::HasSubstr("mains hum of 50 Hz"));
+  EXPECT_EQ(survey({vibration, hum}, Hertz(100.0), 5000).size(), 1U);
+  EXPECT_TRUE(survey({vibration, hum}, Hertz(50.5), 5000).empty());
+  EXPECT_TRUE(survey({vibration, hum}, Hertz(24.8), 5000).empty());
+  EXPECT_TRUE(survey({hum, hum}, {}, 5000).empty());
+}
+
+// In the air every sensor may measure hum alone.
+TEST_F(Survey, HumThatTheCutDrownsIsNoFault) {
+  const Column cut = [](int i) {
+    return 0.1 * std::sin(kTwoPi * 50.0 * 1e-3 * i) + (i > 2500 ? vibration(i) : 0.001 * vibration(i));
+  };
+  EXPECT_TRUE(survey({vibration, cut}, {}, 6000).empty());
 }
 
 RecordingAnswer chatterAnswer() {

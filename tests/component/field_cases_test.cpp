@@ -19,6 +19,7 @@
 #include "core/session/open_recording.h"
 #include "tests/support/field_cases/alarm_course.h"
 #include "tests/support/field_cases/axis_drive.h"
+#include "tests/support/field_cases/idle_spindle.h"
 #include "tests/support/field_cases/mains_hum.h"
 #include "tests/support/field_cases/memory_reader.h"
 #include "tests/support/field_cases/overloaded_sensor.h"
@@ -76,6 +77,27 @@ std::vector<NamedSignal> slots() {
   return all;
 }
 
+// Six seconds out of the middle of chatter: neither air nor a stable cut was ever measured.
+FieldCase clipOfChatter(SlotChatter cut) {
+  cut.begin = ChatterBegin::Entry;
+  cut.entry = -1.0;
+  cut.exit = 20.0;
+  cut.length = 6.0;
+  FieldCase clip = slotChatter(cut);
+  clip.truth = {true, 0.0, 1.0, 6.0};
+  return clip;
+}
+
+std::vector<NamedSignal> clips() {
+  return {{"clip_10100_order_8_3", [] { return clipOfChatter({.speed = 10100.0, .order = 8.3}); }},
+          {"clip_9600_order_7_908", [] { return clipOfChatter({.speed = 9600.0, .order = 7.908}); }},
+          {"clip_5100_order_17_647", [] { return clipOfChatter({.speed = 5100.0, .order = 17.647}); }},
+          {"clip_3000_order_26_5", [] { return clipOfChatter({.speed = 3000.0, .order = 26.5}); }},
+          {"clip_18000_order_4_5", [] { return clipOfChatter({.speed = 18000.0, .order = 4.5}); }},
+          {"idle_7970_three_teeth", [] { return idleSpindle({.speed = 7970.0, .teeth = 3}); }},
+          {"idle_6880_two_teeth", [] { return idleSpindle({.speed = 6880.0, .teeth = 2}); }}};
+}
+
 std::vector<NamedSignal> sensors() {
   return {
       {"one_sound_channel", [] { return fourFluteSound({}); }},
@@ -95,6 +117,7 @@ std::vector<NamedSignal> sensors() {
 
 std::vector<NamedSignal> signals() {
   std::vector<NamedSignal> all = slots();
+  for (NamedSignal& c : clips()) all.push_back(std::move(c));
   for (NamedSignal& c : sensors()) all.push_back(std::move(c));
   return all;
 }
