@@ -2192,10 +2192,6 @@
         <translation>kündigt %1 Punkte an, mehr als die Datei enthält</translation>
     </message>
     <message>
-        <source>are the unit and the register map right?</source>
-        <translation>stimmen unit und Registertabelle?</translation>
-    </message>
-    <message>
         <source>as 192.168.1.0/24</source>
         <translation>wie 192.168.1.0/24</translation>
     </message>
@@ -4568,10 +4564,6 @@
         <translation>%1 1/min ist zu niedrig für ungleiche Zähne</translation>
     </message>
     <message>
-        <source>%1 spectral lines would be needed; %2 are possible</source>
-        <translation>%1 Spektrallinien wären nötig; %2 sind möglich</translation>
-    </message>
-    <message>
         <source>%1; the machine before runs again, authority is Off</source>
         <translation>%1; die Maschine davor läuft wieder, Befugnis ist Aus</translation>
     </message>
@@ -5583,6 +5575,138 @@
         <source>write NaN on every channel where samples are missing, or leave this one out</source>
         <translation>NaN in jeden Kanal schreiben, wo Abtastwerte fehlen, oder diesen weglassen</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; has more than two dimensions</source>
+        <translation>„%1“ hat mehr als zwei Dimensionen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a table of records, which is not read</source>
+        <translation>„%1“ ist eine Tabelle von Datensätzen, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>a shorter way to the machine, or registers that lie side by side</source>
+        <translation>ein kürzerer Weg zur Maschine, oder Register, die nebeneinander liegen</translation>
+    </message>
+    <message>
+        <source>an answer takes %1 ms, and %2 of them tell all: it is too old by then</source>
+        <translation>eine Antwort braucht %1 ms, und erst %2 davon sagen alles: dann ist es zu alt</translation>
+    </message>
+    <message>
+        <source>are the unit, the register map and its answer_ms right?</source>
+        <translation>stimmen Adresse (unit), Registertabelle und ihr answer_ms?</translation>
+    </message>
+    <message>
+        <source>from %1 rpm on it is possible</source>
+        <translation>ab %1 U/min ist es möglich</translation>
+    </message>
+    <message>
+        <source>holds &apos;%1&apos;, a cell array or an array of structs, which is not read</source>
+        <translation>enthält „%1“, ein Cell-Array oder ein Array von Strukturen, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>in line %1, &apos;%2&apos;, &apos;%3&apos; is no number; is this a recording?</source>
+        <translation>in Zeile %1, „%2“, ist „%3“ keine Zahl; ist das eine Aufzeichnung?</translation>
+    </message>
+    <message>
+        <source>is a MATLAB file of version 4, which is not read</source>
+        <translation>ist eine MATLAB-Datei der Version 4, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>is a table of text, whatever its name says</source>
+        <translation>ist eine Texttabelle, was auch immer sein Name sagt</translation>
+    </message>
+    <message>
+        <source>it counts the rows</source>
+        <translation>es zählt die Zeilen</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers where the recording has %2</source>
+        <translation>es hat %1 Zahlen, die Aufzeichnung %2</translation>
+    </message>
+    <message>
+        <source>it has no unit, where other columns have one</source>
+        <translation>es hat keine Einheit, andere Spalten haben eine</translation>
+    </message>
+    <message>
+        <source>it holds no row of numbers that is read</source>
+        <translation>es enthält keine Zahlenreihe, die gelesen wird</translation>
+    </message>
+    <message>
+        <source>it holds times</source>
+        <translation>es enthält Zeiten</translation>
+    </message>
+    <message>
+        <source>it holds words</source>
+        <translation>es enthält Wörter</translation>
+    </message>
+    <message>
+        <source>it is a speed of the spindle</source>
+        <translation>es ist eine Drehzahl der Spindel</translation>
+    </message>
+    <message>
+        <source>it is mains hum of %1 Hz and little else, look at its shield and ground</source>
+        <translation>er enthält fast nur Netzbrummen von %1 Hz, Schirm und Erdung prüfen</translation>
+    </message>
+    <message>
+        <source>it is not clear whether the rate &apos;%1&apos; of its header is a fraction or has thousands set apart</source>
+        <translation>es ist nicht klar, ob die Rate „%1“ in seinem Kopf ein Bruch ist oder abgesetzte Tausender hat</translation>
+    </message>
+    <message>
+        <source>its data sets have several rates</source>
+        <translation>seine Datensätze haben mehrere Raten</translation>
+    </message>
+    <message>
+        <source>its name or its unit says that it is no vibration</source>
+        <translation>sein Name oder seine Einheit sagt, dass es keine Schwingung ist</translation>
+    </message>
+    <message>
+        <source>its name says that it is no vibration</source>
+        <translation>sein Name sagt, dass es keine Schwingung ist</translation>
+    </message>
+    <message>
+        <source>its times &apos;%1&apos; have no unit: seconds are assumed</source>
+        <translation>seine Zeiten „%1“ haben keine Einheit: Sekunden werden angenommen</translation>
+    </message>
+    <message>
+        <source>its times are too coarse for its rows, several of which share one: they are taken as evenly spaced by the rate of its header, %1 Hz</source>
+        <translation>seine Zeiten sind zu grob für seine Zeilen, von denen mehrere dieselbe haben: sie gelten als gleichmäßig mit der Rate seines Kopfes, %1 Hz</translation>
+    </message>
+    <message>
+        <source>its times have no unit: seconds are assumed</source>
+        <translation>seine Zeiten haben keine Einheit: Sekunden werden angenommen</translation>
+    </message>
+    <message>
+        <source>its unit &apos;%1&apos; is none of a vibration</source>
+        <translation>seine Einheit „%1“ ist keine einer Schwingung</translation>
+    </message>
+    <message>
+        <source>most of its cells hold no number</source>
+        <translation>die meisten seiner Zellen enthalten keine Zahl</translation>
+    </message>
+    <message>
+        <source>name one of them: %1</source>
+        <translation>einen davon nennen: %1</translation>
+    </message>
+    <message>
+        <source>save each of its columns as a data set of its own</source>
+        <translation>jede ihrer Spalten als eigenen Datensatz sichern</translation>
+    </message>
+    <message>
+        <source>save it in MATLAB with -v7: save cut.mat -v7</source>
+        <translation>in MATLAB mit -v7 sichern: save cut.mat -v7</translation>
+    </message>
+    <message>
+        <source>save its numbers as plain variables in MATLAB: x = c{1}; save cut.mat x fs</source>
+        <translation>die Zahlen in MATLAB als einfache Variablen sichern: x = c{1}; save cut.mat x fs</translation>
+    </message>
+    <message>
+        <source>save samples by channels, one block behind the other</source>
+        <translation>Werte mal Kanäle sichern, einen Block hinter dem anderen</translation>
+    </message>
+    <message>
+        <source>speeds below %1 rpm are unknown: for teeth that differ the exact method does not reach lower</source>
+        <translation>Drehzahlen unter %1 U/min sind unbekannt: Bei ungleichen Zähnen reicht das exakte Verfahren nicht tiefer</translation>
+    </message>
 </context>
 <context>
     <name>Learned</name>
@@ -6234,6 +6358,10 @@
         <source>As chosen under Set up</source>
         <translation>Wie unter Aufbau gewählt</translation>
     </message>
+    <message>
+        <source>Say it below and touch READ.</source>
+        <translation>Unten angeben und LESEN berühren.</translation>
+    </message>
 </context>
 <context>
     <name>Trial</name>
@@ -6451,18 +6579,6 @@
     <message>
         <source>Rate</source>
         <translation>Rate</translation>
-    </message>
-    <message>
-        <source>Drops</source>
-        <translation>Verluste</translation>
-    </message>
-    <message>
-        <source>Overruns</source>
-        <translation>Überläufe</translation>
-    </message>
-    <message>
-        <source>Block age</source>
-        <translation>Blockalter</translation>
     </message>
     <message>
         <source>You are in command</source>
@@ -6737,14 +6853,6 @@
         <translation>Die Overrides wurden nicht berührt.</translation>
     </message>
     <message>
-        <source>Stillcut moved speed and feed once; </source>
-        <translation>Stillcut hat Drehzahl und Vorschub einmal geändert; </translation>
-    </message>
-    <message>
-        <source>Stillcut moved speed and feed %1 times; </source>
-        <translation>Stillcut hat Drehzahl und Vorschub %1-mal geändert; </translation>
-    </message>
-    <message>
         <source>No.</source>
         <translation>Nr.</translation>
     </message>
@@ -6755,10 +6863,6 @@
     <message>
         <source>Chatter</source>
         <translation>Rattern</translation>
-    </message>
-    <message>
-        <source>Speed [rpm]</source>
-        <translation>Drehzahl [1/min]</translation>
     </message>
     <message>
         <source>Vibration rms</source>
@@ -7988,6 +8092,186 @@
         <source>Nothing was measured along %1: taken as rigid there. The true limit may be far lower; measure it first.</source>
         <translation>Entlang %1 wurde nichts gemessen: dort als starr angenommen. Die wahre Grenze kann viel kleiner sein; zuerst messen.</translation>
     </message>
+    <message>
+        <source>Onset at %1, energy ratio %2</source>
+        <translation>Beginn bei %1, Energieverhältnis %2</translation>
+    </message>
+    <message>
+        <source>WHAT COMES NEXT</source>
+        <translation>WAS ALS NÄCHSTES KOMMT</translation>
+    </message>
+    <message>
+        <source>ADVICE, IN A MOMENT</source>
+        <translation>RAT, GLEICH</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>AUFNAHME</translation>
+    </message>
+    <message>
+        <source>SOUND CARD</source>
+        <translation>SOUNDKARTE</translation>
+    </message>
+    <message>
+        <source>MEASURING CARD</source>
+        <translation>MESSKARTE</translation>
+    </message>
+    <message>
+        <source>LINUX SENSOR</source>
+        <translation>LINUX-SENSOR</translation>
+    </message>
+    <message>
+        <source>SERIAL BOARD</source>
+        <translation>SERIELLE PLATINE</translation>
+    </message>
+    <message>
+        <source>SEVERAL TOGETHER</source>
+        <translation>MEHRERE ZUSAMMEN</translation>
+    </message>
+    <message>
+        <source>NETWORK</source>
+        <translation>NETZ</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Verloren</translation>
+    </message>
+    <message>
+        <source>Too slow</source>
+        <translation>Zu langsam</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzug</translation>
+    </message>
+    <message>
+        <source>%1 behind</source>
+        <translation>%1 zurück</translation>
+    </message>
+    <message>
+        <source>What the file does not say</source>
+        <translation>Was die Datei nicht sagt</translation>
+    </message>
+    <message>
+        <source>Channel of the hammer</source>
+        <translation>Kanal des Hammers</translation>
+    </message>
+    <message>
+        <source>its name, or its number from 0</source>
+        <translation>sein Name oder seine Nummer ab 0</translation>
+    </message>
+    <message>
+        <source>Channel of the sensor</source>
+        <translation>Kanal des Sensors</translation>
+    </message>
+    <message>
+        <source>Unit of the force</source>
+        <translation>Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>Unit of the response</source>
+        <translation>Einheit der Antwort</translation>
+    </message>
+    <message>
+        <source>Sensitivity of the hammer</source>
+        <translation>Empfindlichkeit des Hammers</translation>
+    </message>
+    <message>
+        <source>Sensitivity of the sensor</source>
+        <translation>Empfindlichkeit des Sensors</translation>
+    </message>
+    <message>
+        <source>Force at full scale</source>
+        <translation>Kraft bei Vollausschlag</translation>
+    </message>
+    <message>
+        <source>in the unit beside it</source>
+        <translation>in der Einheit daneben</translation>
+    </message>
+    <message>
+        <source>Response at full scale</source>
+        <translation>Antwort bei Vollausschlag</translation>
+    </message>
+    <message>
+        <source>Unit of the frequency response</source>
+        <translation>Einheit des Frequenzgangs</translation>
+    </message>
+    <message>
+        <source>Unit of the frequencies</source>
+        <translation>Einheit der Frequenzen</translation>
+    </message>
+    <message>
+        <source>Unit of the phase</source>
+        <translation>Einheit der Phase</translation>
+    </message>
+    <message>
+        <source>%1 behind: this computer does not keep up with the samples</source>
+        <translation>%1 zurück: Dieser Rechner kommt mit den Messwerten nicht nach</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Aufnahmen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Stillcut moved speed and feed; </source>
+        <translation>Stillcut hat Drehzahl und Vorschub verstellt; </translation>
+    </message>
+    <message>
+        <source>Stillcut moved speed and feed after %1 of them; </source>
+        <translation>Nach %1 davon hat Stillcut Drehzahl und Vorschub verstellt; </translation>
+    </message>
+    <message>
+        <source>Speed [%1]</source>
+        <translation>Drehzahl [%1]</translation>
+    </message>
+    <message>
+        <source>Cut report</source>
+        <translation>Schnittbericht</translation>
+    </message>
+    <message>
+        <source>Alarms and what was done</source>
+        <translation>Alarme und was getan wurde</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Sensor check</source>
+        <translation>Sensorprüfung</translation>
+    </message>
+    <message>
+        <source>Settings changed during the cut</source>
+        <translation>Während des Schnitts geändert</translation>
+    </message>
+    <message>
+        <source>Settings at the beginning</source>
+        <translation>Einstellungen zu Beginn</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -8194,6 +8478,10 @@
     <message>
         <source>cable out or keeper dead: they stay</source>
         <translation>Kabel ab, Hüter tot: sie bleiben</translation>
+    </message>
+    <message>
+        <source>The run is over: there is nothing to advise on</source>
+        <translation>Der Lauf ist zu Ende: Es gibt nichts zu raten</translation>
     </message>
 </context>
 <context>
@@ -9454,6 +9742,10 @@
         <source>No recording has this in its job, tool or date.</source>
         <translation>Keine Aufnahme hat das in Job, Werkzeug oder Datum.</translation>
     </message>
+    <message>
+        <source>not closed, still written or cut off, so not counted: %1</source>
+        <translation>nicht abgeschlossen (wird noch geschrieben oder brach ab), darum nicht gezählt: %1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SessionListModel</name>
@@ -9669,6 +9961,14 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>BROWSE</source>
+        <translation>SUCHEN</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Datei wählen: %1</translation>
     </message>
 </context>
 <context>
@@ -9893,10 +10193,6 @@
         <source>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</source>
         <translation>Tiefster Schnitt des Programms, %1 bis %2; die Seite Stabilität zeigt den Schnitt in dieser Tiefe</translation>
     </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupPage</name>
@@ -10014,6 +10310,10 @@
     <message>
         <source>Try it out first: each step says what was found. Nothing is commanded.</source>
         <translation>Zuerst prüfen: jeder Schritt sagt, was gefunden wurde. Nichts wird befohlen.</translation>
+    </message>
+    <message>
+        <source>Example: %1</source>
+        <translation>Beispiel: %1</translation>
     </message>
 </context>
 <context>
@@ -10211,6 +10511,50 @@
     <message>
         <source>Take %1, which is plugged in here</source>
         <translation>%1 nehmen, das hier angesteckt ist</translation>
+    </message>
+    <message>
+        <source>Nothing is plugged in that could be heard. Plug in a microphone or a sensor: it shows here by its name.</source>
+        <translation>Nichts ist angeschlossen, das zu hören wäre. Mikrofon oder Sensor anstecken: Es erscheint hier mit seinem Namen.</translation>
+    </message>
+    <message>
+        <source>OTHER DEVICE</source>
+        <translation>ANDERES GERÄT</translation>
+    </message>
+    <message>
+        <source>Other kinds of devices: recordings, measuring cards, boards, networks</source>
+        <translation>Andere Arten von Geräten: Aufnahmen, Messkarten, Platinen, Netze</translation>
+    </message>
+    <message>
+        <source>THREE THAT WORK, AND HOW</source>
+        <translation>DREI, DIE GEHEN, UND WIE</translation>
+    </message>
+    <message>
+        <source>MICROPHONE</source>
+        <translation>MIKROFON</translation>
+    </message>
+    <message>
+        <source>Measurement microphone, USB sound card</source>
+        <translation>Messmikrofon, USB-Soundkarte</translation>
+    </message>
+    <message>
+        <source>IEPE SENSOR</source>
+        <translation>IEPE-SENSOR</translation>
+    </message>
+    <message>
+        <source>IEPE accelerometer, USB interface</source>
+        <translation>IEPE-Beschleunigungssensor, USB-Wandler</translation>
+    </message>
+    <message>
+        <source>MEMS BOARD</source>
+        <translation>MEMS-PLATINE</translation>
+    </message>
+    <message>
+        <source>MEMS board on USB, two axes</source>
+        <translation>MEMS-Platine an USB, zwei Achsen</translation>
+    </message>
+    <message>
+        <source>The manual on it: %1</source>
+        <translation>Das Handbuch dazu: %1</translation>
     </message>
 </context>
 <context>
@@ -10462,10 +10806,6 @@
         <translation>Ordnung</translation>
     </message>
     <message>
-        <source>rpm</source>
-        <translation>1/min</translation>
-    </message>
-    <message>
         <source>now</source>
         <translation>jetzt</translation>
     </message>
@@ -10561,10 +10901,6 @@
         <source>Depth limit, hatched its uncertainty, blue what is recommended</source>
         <translation>Grenze der Tiefe, schraffiert ihre Unsicherheit, blau der Rat</translation>
     </message>
-    <message>
-        <source>rpm</source>
-        <translation>1/min</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::TapMeasure</name>
@@ -10607,6 +10943,22 @@
     <message>
         <source>Files of a tap test</source>
         <translation>Dateien eines Klopfversuchs</translation>
+    </message>
+    <message>
+        <source>SENSOR OPPOSITE</source>
+        <translation>SENSOR GEGENÜBER</translation>
+    </message>
+    <message>
+        <source>The sensor sits on the other side: turn the response</source>
+        <translation>Der Sensor sitzt auf der anderen Seite: die Antwort umkehren</translation>
+    </message>
+    <message>
+        <source>READ</source>
+        <translation>LESEN</translation>
+    </message>
+    <message>
+        <source>Read the files again with what was said</source>
+        <translation>Die Dateien mit den Angaben noch einmal lesen</translation>
     </message>
 </context>
 <context>
@@ -10681,6 +11033,17 @@
     <message>
         <source>Axis y</source>
         <translation>Achse y</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapPart</name>
+    <message>
+        <source>KEEP?</source>
+        <translation>BEHALTEN?</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Touch KEEP again to overwrite it, or give another name.</source>
+        <translation>%1 gibt es schon. BEHALTEN noch einmal berühren, um sie zu überschreiben, oder einen anderen Namen geben.</translation>
     </message>
 </context>
 <context>

@@ -2192,10 +2192,6 @@
         <translation>声明 %1 个点，多于文件所含</translation>
     </message>
     <message>
-        <source>are the unit and the register map right?</source>
-        <translation>unit 与寄存器表是否正确？</translation>
-    </message>
-    <message>
         <source>as 192.168.1.0/24</source>
         <translation>如 192.168.1.0/24</translation>
     </message>
@@ -4568,10 +4564,6 @@
         <translation>对于不等齿，%1 rpm 过低</translation>
     </message>
     <message>
-        <source>%1 spectral lines would be needed; %2 are possible</source>
-        <translation>需要 %1 条谱线；最多可用 %2 条</translation>
-    </message>
-    <message>
         <source>%1; the machine before runs again, authority is Off</source>
         <translation>%1；之前的机床已重新运行，权限为关闭</translation>
     </message>
@@ -5583,6 +5575,138 @@
         <source>write NaN on every channel where samples are missing, or leave this one out</source>
         <translation>缺失样本处请在所有通道写 NaN，或略去该通道</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; has more than two dimensions</source>
+        <translation>“%1”超过两个维度</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a table of records, which is not read</source>
+        <translation>“%1”是记录表，不能读取</translation>
+    </message>
+    <message>
+        <source>a shorter way to the machine, or registers that lie side by side</source>
+        <translation>缩短到机床的连接，或使用相邻的寄存器</translation>
+    </message>
+    <message>
+        <source>an answer takes %1 ms, and %2 of them tell all: it is too old by then</source>
+        <translation>一次应答需 %1 毫秒，%2 次应答才能读完：届时数据已过旧</translation>
+    </message>
+    <message>
+        <source>are the unit, the register map and its answer_ms right?</source>
+        <translation>单元号、寄存器表及其 answer_ms 是否正确？</translation>
+    </message>
+    <message>
+        <source>from %1 rpm on it is possible</source>
+        <translation>从 %1 rpm 起可行</translation>
+    </message>
+    <message>
+        <source>holds &apos;%1&apos;, a cell array or an array of structs, which is not read</source>
+        <translation>包含“%1”，它是元胞数组或结构体数组，不能读取</translation>
+    </message>
+    <message>
+        <source>in line %1, &apos;%2&apos;, &apos;%3&apos; is no number; is this a recording?</source>
+        <translation>第 %1 行“%2”中，“%3”不是数字；这是录音文件吗？</translation>
+    </message>
+    <message>
+        <source>is a MATLAB file of version 4, which is not read</source>
+        <translation>是第 4 版 MATLAB 文件，不能读取</translation>
+    </message>
+    <message>
+        <source>is a table of text, whatever its name says</source>
+        <translation>是文本表格，无论其名称如何</translation>
+    </message>
+    <message>
+        <source>it counts the rows</source>
+        <translation>它是行号</translation>
+    </message>
+    <message>
+        <source>it has %1 numbers where the recording has %2</source>
+        <translation>它有 %1 个数，而录音有 %2 个</translation>
+    </message>
+    <message>
+        <source>it has no unit, where other columns have one</source>
+        <translation>它没有单位，而其他列有</translation>
+    </message>
+    <message>
+        <source>it holds no row of numbers that is read</source>
+        <translation>它不包含可读取的数列</translation>
+    </message>
+    <message>
+        <source>it holds times</source>
+        <translation>它包含时间</translation>
+    </message>
+    <message>
+        <source>it holds words</source>
+        <translation>它包含文字</translation>
+    </message>
+    <message>
+        <source>it is a speed of the spindle</source>
+        <translation>它是主轴转速</translation>
+    </message>
+    <message>
+        <source>it is mains hum of %1 Hz and little else, look at its shield and ground</source>
+        <translation>其中几乎只有 %1 Hz 的工频干扰，请检查屏蔽和接地</translation>
+    </message>
+    <message>
+        <source>it is not clear whether the rate &apos;%1&apos; of its header is a fraction or has thousands set apart</source>
+        <translation>文件头中的采样率“%1”是小数还是带千位分隔符，不清楚</translation>
+    </message>
+    <message>
+        <source>its data sets have several rates</source>
+        <translation>其数据集有多个采样率</translation>
+    </message>
+    <message>
+        <source>its name or its unit says that it is no vibration</source>
+        <translation>其名称或单位表明它不是振动</translation>
+    </message>
+    <message>
+        <source>its name says that it is no vibration</source>
+        <translation>其名称表明它不是振动</translation>
+    </message>
+    <message>
+        <source>its times &apos;%1&apos; have no unit: seconds are assumed</source>
+        <translation>时间“%1”没有单位：假定为秒</translation>
+    </message>
+    <message>
+        <source>its times are too coarse for its rows, several of which share one: they are taken as evenly spaced by the rate of its header, %1 Hz</source>
+        <translation>时间对各行来说太粗，多行共用一个时间：按文件头的采样率 %1 Hz 视为等间隔</translation>
+    </message>
+    <message>
+        <source>its times have no unit: seconds are assumed</source>
+        <translation>时间没有单位：假定为秒</translation>
+    </message>
+    <message>
+        <source>its unit &apos;%1&apos; is none of a vibration</source>
+        <translation>其单位“%1”不是振动的单位</translation>
+    </message>
+    <message>
+        <source>most of its cells hold no number</source>
+        <translation>其大多数单元格没有数字</translation>
+    </message>
+    <message>
+        <source>name one of them: %1</source>
+        <translation>请指定其中一个：%1</translation>
+    </message>
+    <message>
+        <source>save each of its columns as a data set of its own</source>
+        <translation>把它的每一列存为单独的数据集</translation>
+    </message>
+    <message>
+        <source>save it in MATLAB with -v7: save cut.mat -v7</source>
+        <translation>在 MATLAB 中用 -v7 保存：save cut.mat -v7</translation>
+    </message>
+    <message>
+        <source>save its numbers as plain variables in MATLAB: x = c{1}; save cut.mat x fs</source>
+        <translation>在 MATLAB 中把数字存为普通变量：x = c{1}; save cut.mat x fs</translation>
+    </message>
+    <message>
+        <source>save samples by channels, one block behind the other</source>
+        <translation>按“样本×通道”保存，各块依次相接</translation>
+    </message>
+    <message>
+        <source>speeds below %1 rpm are unknown: for teeth that differ the exact method does not reach lower</source>
+        <translation>低于 %1 rpm 的转速未知：对于不同的刀齿，精确方法到不了更低</translation>
+    </message>
 </context>
 <context>
     <name>Learned</name>
@@ -6234,6 +6358,10 @@
         <source>As chosen under Set up</source>
         <translation>如“设置”中所选</translation>
     </message>
+    <message>
+        <source>Say it below and touch READ.</source>
+        <translation>请在下方填写并按“读取”。</translation>
+    </message>
 </context>
 <context>
     <name>Trial</name>
@@ -6451,18 +6579,6 @@
     <message>
         <source>Rate</source>
         <translation>采样率</translation>
-    </message>
-    <message>
-        <source>Drops</source>
-        <translation>丢失</translation>
-    </message>
-    <message>
-        <source>Overruns</source>
-        <translation>超时</translation>
-    </message>
-    <message>
-        <source>Block age</source>
-        <translation>块延迟</translation>
     </message>
     <message>
         <source>You are in command</source>
@@ -6737,14 +6853,6 @@
         <translation>未改动倍率。</translation>
     </message>
     <message>
-        <source>Stillcut moved speed and feed once; </source>
-        <translation>Stillcut 调整转速和进给一次；</translation>
-    </message>
-    <message>
-        <source>Stillcut moved speed and feed %1 times; </source>
-        <translation>Stillcut 调整转速和进给 %1 次；</translation>
-    </message>
-    <message>
         <source>No.</source>
         <translation>编号</translation>
     </message>
@@ -6755,10 +6863,6 @@
     <message>
         <source>Chatter</source>
         <translation>颤振</translation>
-    </message>
-    <message>
-        <source>Speed [rpm]</source>
-        <translation>转速 [rpm]</translation>
     </message>
     <message>
         <source>Vibration rms</source>
@@ -7988,6 +8092,186 @@
         <source>Nothing was measured along %1: taken as rigid there. The true limit may be far lower; measure it first.</source>
         <translation>沿 %1 未测量：按刚性处理。真实极限可能低得多；请先测量。</translation>
     </message>
+    <message>
+        <source>Onset at %1, energy ratio %2</source>
+        <translation>起振于 %1，能量比 %2</translation>
+    </message>
+    <message>
+        <source>WHAT COMES NEXT</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>ADVICE, IN A MOMENT</source>
+        <translation>建议，稍候</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>当前 %1</translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>SOUND CARD</source>
+        <translation>声卡</translation>
+    </message>
+    <message>
+        <source>MEASURING CARD</source>
+        <translation>采集卡</translation>
+    </message>
+    <message>
+        <source>LINUX SENSOR</source>
+        <translation>LINUX 传感器</translation>
+    </message>
+    <message>
+        <source>SERIAL BOARD</source>
+        <translation>串口板</translation>
+    </message>
+    <message>
+        <source>SEVERAL TOGETHER</source>
+        <translation>多个组合</translation>
+    </message>
+    <message>
+        <source>NETWORK</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>丢失</translation>
+    </message>
+    <message>
+        <source>Too slow</source>
+        <translation>过慢</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>延迟</translation>
+    </message>
+    <message>
+        <source>%1 behind</source>
+        <translation>落后 %1</translation>
+    </message>
+    <message>
+        <source>What the file does not say</source>
+        <translation>文件未说明的内容</translation>
+    </message>
+    <message>
+        <source>Channel of the hammer</source>
+        <translation>力锤通道</translation>
+    </message>
+    <message>
+        <source>its name, or its number from 0</source>
+        <translation>名称，或从 0 起的编号</translation>
+    </message>
+    <message>
+        <source>Channel of the sensor</source>
+        <translation>传感器通道</translation>
+    </message>
+    <message>
+        <source>Unit of the force</source>
+        <translation>力的单位</translation>
+    </message>
+    <message>
+        <source>Unit of the response</source>
+        <translation>响应的单位</translation>
+    </message>
+    <message>
+        <source>Sensitivity of the hammer</source>
+        <translation>力锤灵敏度</translation>
+    </message>
+    <message>
+        <source>Sensitivity of the sensor</source>
+        <translation>传感器灵敏度</translation>
+    </message>
+    <message>
+        <source>Force at full scale</source>
+        <translation>满量程时的力</translation>
+    </message>
+    <message>
+        <source>in the unit beside it</source>
+        <translation>以旁边的单位</translation>
+    </message>
+    <message>
+        <source>Response at full scale</source>
+        <translation>满量程时的响应</translation>
+    </message>
+    <message>
+        <source>Unit of the frequency response</source>
+        <translation>频响的单位</translation>
+    </message>
+    <message>
+        <source>Unit of the frequencies</source>
+        <translation>频率的单位</translation>
+    </message>
+    <message>
+        <source>Unit of the phase</source>
+        <translation>相位的单位</translation>
+    </message>
+    <message>
+        <source>%1 behind: this computer does not keep up with the samples</source>
+        <translation>落后 %1：本计算机跟不上采样</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>录音 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Stillcut moved speed and feed; </source>
+        <translation>Stillcut 调整了转速和进给；</translation>
+    </message>
+    <message>
+        <source>Stillcut moved speed and feed after %1 of them; </source>
+        <translation>其中 %1 次后 Stillcut 调整了转速和进给；</translation>
+    </message>
+    <message>
+        <source>Speed [%1]</source>
+        <translation>转速 [%1]</translation>
+    </message>
+    <message>
+        <source>Cut report</source>
+        <translation>切削报告</translation>
+    </message>
+    <message>
+        <source>Alarms and what was done</source>
+        <translation>报警与处理</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Sensor check</source>
+        <translation>传感器检查</translation>
+    </message>
+    <message>
+        <source>Settings changed during the cut</source>
+        <translation>切削中更改的设置</translation>
+    </message>
+    <message>
+        <source>Settings at the beginning</source>
+        <translation>开始时的设置</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -8194,6 +8478,10 @@
     <message>
         <source>cable out or keeper dead: they stay</source>
         <translation>电缆断开或守护进程终止：倍率保留</translation>
+    </message>
+    <message>
+        <source>The run is over: there is nothing to advise on</source>
+        <translation>运行已结束：没有可建议的内容</translation>
     </message>
 </context>
 <context>
@@ -9454,6 +9742,10 @@
         <source>No recording has this in its job, tool or date.</source>
         <translation>没有录制的任务、刀具或日期含有此内容。</translation>
     </message>
+    <message>
+        <source>not closed, still written or cut off, so not counted: %1</source>
+        <translation>未关闭（仍在写入或被中断），故未计入：%1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SessionListModel</name>
@@ -9669,6 +9961,14 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>BROWSE</source>
+        <translation>浏览</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>选择文件：%1</translation>
     </message>
 </context>
 <context>
@@ -9893,10 +10193,6 @@
         <source>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</source>
         <translation>程序的最大切深，%1 到 %2；叶瓣图页面按此切深显示切削</translation>
     </message>
-    <message>
-        <source>unknown</source>
-        <translation>未知</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupPage</name>
@@ -10014,6 +10310,10 @@
     <message>
         <source>Try it out first: each step says what was found. Nothing is commanded.</source>
         <translation>请先试运行：每一步说明结果。不发出指令。</translation>
+    </message>
+    <message>
+        <source>Example: %1</source>
+        <translation>示例：%1</translation>
     </message>
 </context>
 <context>
@@ -10211,6 +10511,50 @@
     <message>
         <source>Take %1, which is plugged in here</source>
         <translation>选用已插入的 %1</translation>
+    </message>
+    <message>
+        <source>Nothing is plugged in that could be heard. Plug in a microphone or a sensor: it shows here by its name.</source>
+        <translation>没有可听的设备接入。插入麦克风或传感器，它会以其名称显示在此。</translation>
+    </message>
+    <message>
+        <source>OTHER DEVICE</source>
+        <translation>其他设备</translation>
+    </message>
+    <message>
+        <source>Other kinds of devices: recordings, measuring cards, boards, networks</source>
+        <translation>其他设备类型：录音、采集卡、开发板、网络</translation>
+    </message>
+    <message>
+        <source>THREE THAT WORK, AND HOW</source>
+        <translation>三种可用方案及做法</translation>
+    </message>
+    <message>
+        <source>MICROPHONE</source>
+        <translation>麦克风</translation>
+    </message>
+    <message>
+        <source>Measurement microphone, USB sound card</source>
+        <translation>测量麦克风，USB 声卡</translation>
+    </message>
+    <message>
+        <source>IEPE SENSOR</source>
+        <translation>IEPE 传感器</translation>
+    </message>
+    <message>
+        <source>IEPE accelerometer, USB interface</source>
+        <translation>IEPE 加速度计，USB 接口</translation>
+    </message>
+    <message>
+        <source>MEMS BOARD</source>
+        <translation>MEMS 板</translation>
+    </message>
+    <message>
+        <source>MEMS board on USB, two axes</source>
+        <translation>USB MEMS 板，两轴</translation>
+    </message>
+    <message>
+        <source>The manual on it: %1</source>
+        <translation>相关手册：%1</translation>
     </message>
 </context>
 <context>
@@ -10462,10 +10806,6 @@
         <translation>阶次</translation>
     </message>
     <message>
-        <source>rpm</source>
-        <translation>rpm</translation>
-    </message>
-    <message>
         <source>now</source>
         <translation>现在</translation>
     </message>
@@ -10561,10 +10901,6 @@
         <source>Depth limit, hatched its uncertainty, blue what is recommended</source>
         <translation>切深极限；阴影为不确定度，蓝色为推荐</translation>
     </message>
-    <message>
-        <source>rpm</source>
-        <translation>rpm</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::TapMeasure</name>
@@ -10607,6 +10943,22 @@
     <message>
         <source>Files of a tap test</source>
         <translation>敲击试验文件</translation>
+    </message>
+    <message>
+        <source>SENSOR OPPOSITE</source>
+        <translation>传感器在对面</translation>
+    </message>
+    <message>
+        <source>The sensor sits on the other side: turn the response</source>
+        <translation>传感器在另一侧：反转响应</translation>
+    </message>
+    <message>
+        <source>READ</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Read the files again with what was said</source>
+        <translation>按所填内容重新读取文件</translation>
     </message>
 </context>
 <context>
@@ -10681,6 +11033,17 @@
     <message>
         <source>Axis y</source>
         <translation>y 轴</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TapPart</name>
+    <message>
+        <source>KEEP?</source>
+        <translation>保存？</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Touch KEEP again to overwrite it, or give another name.</source>
+        <translation>%1 已存在。再按“保存”将覆盖，或另取名称。</translation>
     </message>
 </context>
 <context>
