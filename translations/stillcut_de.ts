@@ -8121,26 +8121,6 @@
         <translation>AUFNAHME</translation>
     </message>
     <message>
-        <source>SOUND CARD</source>
-        <translation>SOUNDKARTE</translation>
-    </message>
-    <message>
-        <source>MEASURING CARD</source>
-        <translation>MESSKARTE</translation>
-    </message>
-    <message>
-        <source>LINUX SENSOR</source>
-        <translation>LINUX-SENSOR</translation>
-    </message>
-    <message>
-        <source>SERIAL BOARD</source>
-        <translation>SERIELLE PLATINE</translation>
-    </message>
-    <message>
-        <source>SEVERAL TOGETHER</source>
-        <translation>MEHRERE ZUSAMMEN</translation>
-    </message>
-    <message>
         <source>NETWORK</source>
         <translation>NETZ</translation>
     </message>
@@ -8271,6 +8251,26 @@
     <message>
         <source>Settings at the beginning</source>
         <translation>Einstellungen zu Beginn</translation>
+    </message>
+    <message>
+        <source>AUDIO</source>
+        <translation>AUDIO</translation>
+    </message>
+    <message>
+        <source>DAQ CARD</source>
+        <translation>DAQ</translation>
+    </message>
+    <message>
+        <source>IIO</source>
+        <translation>IIO</translation>
+    </message>
+    <message>
+        <source>SERIAL</source>
+        <translation>SERIELL</translation>
+    </message>
+    <message>
+        <source>JOINED</source>
+        <translation>VERBUND</translation>
     </message>
 </context>
 <context>
@@ -10538,7 +10538,7 @@
     </message>
     <message>
         <source>IEPE SENSOR</source>
-        <translation>IEPE-SENSOR</translation>
+        <translation>IEPE</translation>
     </message>
     <message>
         <source>IEPE accelerometer, USB interface</source>
@@ -10546,7 +10546,7 @@
     </message>
     <message>
         <source>MEMS BOARD</source>
-        <translation>MEMS-PLATINE</translation>
+        <translation>MEMS</translation>
     </message>
     <message>
         <source>MEMS board on USB, two axes</source>

@@ -8121,26 +8121,6 @@
         <translation>记录</translation>
     </message>
     <message>
-        <source>SOUND CARD</source>
-        <translation>声卡</translation>
-    </message>
-    <message>
-        <source>MEASURING CARD</source>
-        <translation>采集卡</translation>
-    </message>
-    <message>
-        <source>LINUX SENSOR</source>
-        <translation>LINUX 传感器</translation>
-    </message>
-    <message>
-        <source>SERIAL BOARD</source>
-        <translation>串口板</translation>
-    </message>
-    <message>
-        <source>SEVERAL TOGETHER</source>
-        <translation>多个组合</translation>
-    </message>
-    <message>
         <source>NETWORK</source>
         <translation>网络</translation>
     </message>
@@ -8271,6 +8251,26 @@
     <message>
         <source>Settings at the beginning</source>
         <translation>开始时的设置</translation>
+    </message>
+    <message>
+        <source>AUDIO</source>
+        <translation>音频</translation>
+    </message>
+    <message>
+        <source>DAQ CARD</source>
+        <translation>采集卡</translation>
+    </message>
+    <message>
+        <source>IIO</source>
+        <translation>IIO</translation>
+    </message>
+    <message>
+        <source>SERIAL</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>JOINED</source>
+        <translation>组合</translation>
     </message>
 </context>
 <context>

@@ -36,9 +36,9 @@ QString sourceCaption(const QString& id) {
   const struct {
     const char* id;
     QString caption;
-  } known[] = {{"simulated", say("SIMULATED")},     {"replay", say("RECORDING")}, {"alsa", say("SOUND CARD")},
-               {"comedi", say("MEASURING CARD")},   {"iio", say("LINUX SENSOR")}, {"serial", say("SERIAL BOARD")},
-               {"joined", say("SEVERAL TOGETHER")}, {"tcp", say("NETWORK")}};
+  } known[] = {{"simulated", say("SIMULATED")}, {"replay", say("RECORDING")}, {"alsa", say("AUDIO")},
+               {"comedi", say("DAQ CARD")},     {"iio", say("IIO")},          {"serial", say("SERIAL")},
+               {"joined", say("JOINED")},       {"tcp", say("NETWORK")}};
   for (const auto& kind : known) {
     if (id == QLatin1String(kind.id)) return kind.caption;
   }

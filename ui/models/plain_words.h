@@ -12,7 +12,7 @@ QString withoutKeys(const QString& description);
 // "rate_hz is missing", "0 [[channels]] in the profile": keys by their labels, tables by their names.
 QString plainWords(const QString& sentence);
 
-// A kind of device on its button: "SOUND CARD"; one that has no word of its own by its id.
+// A kind of device on its button: "AUDIO"; one that has no word of its own by its id.
 QString sourceCaption(const QString& id);
 
 }  // namespace stillcut::ui

@@ -68,7 +68,7 @@ TEST_P(CoreSentences, OfRefusedFilesLeaveNoEnglishBehind) {
   };
   for (const std::string& path :
        {write("a.csv", ""), write("b.csv", "t,Fx\n0,1\n1,nan\n"), write("c.csv", "t,Fx\n0,1\n0,2\n"),
-        write("d.wav", "no sound"), write("e.h5", "no HDF5"), folder.path().toStdString(),
+        write("d.wav", "no sound"), write("e.h5", "0x2A HDF5"), folder.path().toStdString(),
         folder.filePath("none.csv").toStdString()}) {
     keep(record::openRecording(path));
   }

@@ -237,6 +237,7 @@ void SetupMachine::refresh() {
 
 SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidget* parent)
     : SetupTab(controller, draft, parent),
+      heading_(new TextLabel({type_size::kLabel, true, true}, tr("DEVICE"))),
       foundRows_(new QVBoxLayout),
       none_(new TextLabel({type_size::kBody, false, false, true},
                           tr("Nothing is plugged in that could be heard. Plug in a microphone or a sensor: it shows "
@@ -258,7 +259,7 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
       live_(new LevelSpectrum) {
   auto* columns = new QHBoxLayout(this);
   auto* left = new QVBoxLayout;
-  left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("DEVICE")));
+  left->addWidget(heading_);
   left->addLayout(foundRows_);
   left->addWidget(none_);
   none_->setObjectName(QStringLiteral("device-none"));
@@ -296,6 +297,8 @@ SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidg
     table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   table_->setEditTriggers(QAbstractItemView::AllEditTriggers);
   table_->setItemDelegateForColumn(ChannelModel::Quantity, new QuantityDelegate(table_));
+  constexpr int kHeadAndRow = 56;  // px: lower than Qt's own least height, so that no button has to give way
+  table_->setMinimumHeight(kHeadAndRow);
   left->addWidget(table_, 3);
   auto* buttons = new QHBoxLayout;
   TouchButton* add = makeButton(tr("ADD CHANNEL"), tr("Add a channel"), QStringLiteral("channel-add"));
@@ -407,7 +410,8 @@ bool SetupSensors::chosenIsFound() const {
 void SetupSensors::showKinds() {
   const bool chosen = !draft_.profile().source.id.empty();
   const bool kinds = other_->isChecked() || (chosen && !chosenIsFound());
-  none_->setVisible(foundShown_.empty());
+  heading_->setVisible(!kinds);  // room for the rows below
+  none_->setVisible(foundShown_.empty() && !kinds);
   kits_->setVisible(foundShown_.empty() && !kinds);
   other_->setVisible(!chosen || chosenIsFound());
   kinds_->setVisible(kinds);

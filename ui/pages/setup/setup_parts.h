@@ -58,6 +58,7 @@ class SetupSensors : public SetupTab {
   bool chosenIsFound() const;
 
   std::vector<TouchButton*> sources_;
+  TextLabel* heading_;
   QVBoxLayout* foundRows_;
   std::vector<TouchButton*> found_;  // what is plugged in here
   std::vector<FoundDevice> foundShown_;
