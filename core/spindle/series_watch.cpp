@@ -163,7 +163,7 @@ void SeriesWatch::look(Hertz told, double sd) noexcept {
 }
 
 void SeriesWatch::judgeFamily() noexcept {
-  const int family = look_.free.members >= kSideLines ? look_.free.members : 0;
+  const int family = look_.free.members > 1 ? look_.free.members : 0;  // a tone alone is none
   look_.seriesLines = series_.onOrders(look_.spindle) + family;
   look_.familyLeads = look_.teethHeard && look_.explained > kExplained && look_.free.members >= kSideLines &&
                       look_.free.share > kMostly;

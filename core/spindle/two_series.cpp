@@ -10,7 +10,7 @@ constexpr double kRange = 1e3;         // 30 dB: lines further below the stronge
 constexpr double kSpeedWander = 1e-4;  // relative, of a spindle within a window: blurs line n by n times that
 constexpr double kNoSecond = 0.02;     // orders: a second series nearer to the first is the first, blurred
 constexpr double kOffsetCost = 4.6;    // nepers: log of the 100 offsets among which the best one was chosen
-constexpr double kOn = 0.5;            // probability from which a line counts as one on an order
+constexpr double kOn = 0.135;          // of the Gaussian: within two standard deviations of where an order is
 constexpr double kMember = 0.01;       // 20 dB below the family's strongest line
 
 double offsetOf(double frequency, double spindle) {

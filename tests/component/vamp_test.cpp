@@ -58,7 +58,7 @@ class VampPlugin : public ::testing::Test {
     if (library_ != nullptr) ::dlclose(library_);
   }
   // All features of a run over `x`, which begins at `from` on the host's time.
-  Plugin::FeatureSet runOver(const std::vector<float>& x, std::size_t block, Vamp::RealTime from = {}) {
+  Plugin::FeatureSet runOver(const std::vector<float>& x, std::size_t block, const Vamp::RealTime& from = {}) {
     Plugin::FeatureSet all;
     const auto keep = [&all](const Plugin::FeatureSet& some) {
       for (const auto& [output, features] : some)
@@ -66,7 +66,8 @@ class VampPlugin : public ::testing::Test {
     };
     for (std::size_t at = 0; at + block <= x.size(); at += block) {
       const float* channel = x.data() + at;
-      keep(plugin_->process(&channel, from + Vamp::RealTime::frame2RealTime(static_cast<long>(at), kRate)));
+      keep(plugin_->process(
+          &channel, from + Vamp::RealTime::frame2RealTime(static_cast<long>(at), static_cast<unsigned>(kRate))));
     }
     keep(plugin_->getRemainingFeatures());
     return all;

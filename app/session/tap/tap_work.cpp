@@ -18,7 +18,6 @@ namespace {
 using identify::Axis;
 using identify::AxisModes;
 using identify::Frf;
-using identify::ModalFit;
 
 constexpr std::size_t kMostLines = 1500;  // more than a screen has columns
 constexpr double kBeyondBand = 1.6;       // shown above the band
@@ -270,7 +269,7 @@ TapFiles fromModes(const identify::ModesFile& file) {
     if (axis.shown.modes.empty()) continue;
     const double to = kBeyondBand * axis.shown.modes.back().frequency.value;
     for (std::size_t i = 1; i <= kMostLines / 2; ++i) {
-      axis.shown.frequency.push_back(to * static_cast<double>(i) / (kMostLines / 2));
+      axis.shown.frequency.push_back(to * 2.0 * static_cast<double>(i) / static_cast<double>(kMostLines));
     }
     axis.shown.measured.assign(axis.shown.frequency.size(), {});
     drawFit(axis);
