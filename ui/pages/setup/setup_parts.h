@@ -9,8 +9,6 @@ class QScrollArea;
 class QTableView;
 class QVBoxLayout;
 
-class QScrollArea;
-
 namespace stillcut::ui {
 
 class LevelSpectrum;
