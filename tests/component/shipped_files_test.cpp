@@ -15,6 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A build without the desktop has no serial ports (Qt's), and says so where a profile names one.
+bool lacksSerialPorts(const Error& error) {
+#ifdef STILLCUT_SERIAL
+  (void)error;
+  return false;
+#else
+  return error.line().find("serial ports are not part of this build") != std::string::npos;
+#endif
+}
+
 // Ids, settings, parameters and named files of every profile: up to the point where a device would be opened.
 TEST(ShippedFiles, EveryProfileIsOneToStartFromOnceItIsCopied) {
   const record::TempFolder folder;
@@ -26,7 +36,7 @@ TEST(ShippedFiles, EveryProfileIsOneToStartFromOnceItIsCopied) {
     ASSERT_TRUE(profile.ok()) << profile.error().line();
     std::vector<config::SettingDecl> asked;
     const auto parts = makeProfileParts(*profile, copy, &asked, AnalogOutputs::LeftAlone);
-    EXPECT_TRUE(parts.ok()) << copy << ": " << parts.error().line();
+    EXPECT_TRUE(parts.ok() || lacksSerialPorts(parts.error())) << copy << ": " << parts.error().line();
     ++seen;
   }
   EXPECT_GE(seen, 4);
