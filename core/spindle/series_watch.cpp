@@ -234,7 +234,10 @@ void SeriesWatch::judge(Hertz told) noexcept {
 }
 
 // Lines are smeared, and the likely speed lags, where the spindle changed its speed within what was looked at.
+// Where it goes over to another speed that was likely before, it did not move: what was thought is forgotten.
 void SeriesWatch::watchSpeed(Hertz newest) noexcept {
+  const bool went = std::abs(newest.value - speeds_.back()) > kSteady * newest.value;
+  if (went && belief_.newestWasLikely()) speeds_.fill(newest.value);
   std::rotate(speeds_.begin(), speeds_.begin() + 1, speeds_.end());
   speeds_.back() = newest.value;
   const auto [least, most] = std::minmax_element(speeds_.begin(), speeds_.end());

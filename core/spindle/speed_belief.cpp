@@ -80,6 +80,7 @@ void SpeedBelief::drift() noexcept {
 
 void SpeedBelief::look(const TwoSeries& lines, Hertz told, Seconds since) noexcept {
   if (!(told.value > 0.0) || lines.lines() < 1) return;
+  const double before = *std::max_element(log_.begin(), log_.end());
   drift();
   const double forget = std::min(1.0, since.value / kMemory);
   const double counts = heard_ ? std::min(1.0, since.value / kIndependent) : 1.0;
@@ -89,14 +90,27 @@ void SpeedBelief::look(const TwoSeries& lines, Hertz told, Seconds since) noexce
     log_[i] = (1.0 - forget) * moved_[i] + forget * prior(ratio) + counts * score_[i];
   }
   surprise(counts);
-  for (std::size_t i = 0; i < log_.size(); ++i) moved_[i] = score_[i] + prior(ratioAt(i));
-  const auto alone = static_cast<std::size_t>(std::max_element(moved_.begin(), moved_.end()) - moved_.begin());
-  const auto top = static_cast<std::size_t>(std::max_element(log_.begin(), log_.end()) - log_.begin());
-  newest_ = ratioAt(fitsBetter(alone, top) ? alone : top);
+  chooseNewest(before);
   const double most = *std::max_element(log_.begin(), log_.end());
   for (double& l : log_) l -= most;
   heard_ = true;
   judge();
+}
+
+// moved_: as it was before the look. before: its most.
+void SpeedBelief::chooseNewest(double before) noexcept {
+  const auto fit = [this](std::size_t i) { return score_[i] + prior(ratioAt(i)); };
+  const auto top = static_cast<std::size_t>(std::max_element(log_.begin(), log_.end()) - log_.begin());
+  std::size_t alone = 0;
+  double most = fit(0);
+  for (std::size_t i = 1; i < log_.size(); ++i) {
+    const double now = fit(i);
+    if (now > most) alone = i;
+    most = std::max(most, now);
+  }
+  const std::size_t newest = fitsBetter(alone, top) ? alone : top;
+  newest_ = ratioAt(newest);
+  newestWasLikely_ = moved_[newest] > before - kPlausible;
 }
 
 // The newest look, and by far. Where chatter fills the cut two speeds may fit nearly as well, and take turns.

@@ -36,6 +36,8 @@ class SpeedBelief {
   // The ratio that the newest look alone says, where it fits that better by far: where the spindle has just changed its
   // speed, all before is of another.
   double ofNewest() const noexcept { return newest_; }
+  // ... was likely before it: the looks are of two minds, and no spindle moved.
+  bool newestWasLikely() const noexcept { return newestWasLikely_; }
   // It may be further away than was looked.
   bool atEdge() const noexcept { return atEdge_; }
   // The speeds that may be: cells 0 .. cells() - 1 of the ratio.
@@ -51,6 +53,7 @@ class SpeedBelief {
   void drift() noexcept;
   bool fitsBetter(std::size_t cell, std::size_t than) const noexcept;
   void surprise(double counts) noexcept;
+  void chooseNewest(double before) noexcept;
   void judge() noexcept;
 
   double range_ = 0.03;
@@ -58,6 +61,7 @@ class SpeedBelief {
   bool heard_ = false;
   double ratio_ = 1.0, sd_ = 0.01, certainty_ = 0.0;
   double newest_ = 1.0;
+  bool newestWasLikely_ = false;
   bool atEdge_ = false;
   int surprised_ = 0;                        // looks on end
   std::vector<double> log_, moved_, score_;  // nepers, by cell; score_: of the newest look

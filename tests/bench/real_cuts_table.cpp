@@ -81,10 +81,11 @@ int table(const std::vector<std::string>& wanted, bool each, const std::string& 
     }
     std::vector<std::vector<int>> sets{cut.channels};
     if (each && cut.channels.empty() && cut.file.filename() != "audio_T2503") sets.insert(sets.end(), {{0}, {1}, {2}});
-    for (const auto& channels : sets) {
-      for (const double error : kErrors) {
-        if (!judge(cut, channels, error, wanted, begin)) return 1;
-      }
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      bool read = true;
+      for (const double error : kErrors) read = read && judge(cut, sets[s], error, wanted, begin);
+      if (!read && s == 0) return 1;
+      if (!read) break;  // it has no more channels
     }
   }
   return 0;

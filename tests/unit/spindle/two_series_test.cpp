@@ -118,9 +118,29 @@ TEST(SpeedBelief, GivesUpWhatItKnewWhereThreeLooksFitAnotherSpeedByFar) {
   EXPECT_NEAR(belief.ratio(), 0.98, 5e-4);
 }
 
+TEST(SpeedBelief, KnowsASpeedThatItThoughtLikelyFromOneThatIsNew) {
+  SpeedBelief belief;
+  belief.prepare(0.036);
+  belief.begin(0.01);
+  const auto look = [&](double spindle) {
+    TwoSeries series;
+    series.begin(Hertz(1.2));
+    series.add(slot(spindle, 7.816));
+    belief.look(series, Hertz(kSpindle), Seconds(0.1));
+  };
+  look(0.99 * kSpindle);  // within what is thought of any told speed
+  EXPECT_TRUE(belief.newestWasLikely());
+  for (int i = 0; i < 10; ++i) look(0.99 * kSpindle);
+  EXPECT_TRUE(belief.newestWasLikely());
+  look(1.01 * kSpindle);
+  EXPECT_NEAR(belief.ofNewest(), 1.01, 5e-4);
+  EXPECT_FALSE(belief.newestWasLikely());
+}
+
 // Of a whole signal, as the conditioner hands it over: air with a tone of the machine's, then a cut.
 struct Heard {
   SeriesLook look;
+  SeriesLook first;  // of those that are of the cut alone
   void listen(double chatter, double tone) {
     constexpr double kRate = 12000.0;
     CutSetup setup;
@@ -147,7 +167,9 @@ struct Heard {
       }
       const double* row = x.data();
       watch.push(&row, 12, !cut);
-      if (watch.due()) watch.look(Hertz(kSpindle), 0.01);
+      if (!watch.due()) continue;
+      watch.look(Hertz(kSpindle), 0.01);
+      if (cut && !first.whole) first = watch.newest();
     }
     look = watch.newest();
   }
@@ -160,6 +182,13 @@ TEST(SeriesWatch, HearsChatterFromTheEntryAndItsSpeed) {
   EXPECT_GT(heard.look.joint, 0.8);
   EXPECT_NEAR(heard.look.free.line.value, 7.816 * kSpindle, 0.5);
   EXPECT_NEAR(heard.look.spindle.value, kSpindle, 5e-4 * kSpindle);
+}
+
+// What was thought in the air is no speed that the spindle has left.
+TEST(SeriesWatch, ASteadySpindleIsSteadyFromTheFirstLookAtACut) {
+  Heard heard;
+  heard.listen(0.3, 0.0);
+  EXPECT_TRUE(heard.first.whole && heard.first.steady);
 }
 
 TEST(SeriesWatch, ALoudToneThatWasThereInTheAirIsTheMachines) {
