@@ -44,6 +44,8 @@ constexpr int kLooks = 3;  // on end
 // Lines of teeth that cut, with what they make vibrate: blows have many. A spindle that idles has one or two of its
 // own, and those of its motor and of fans.
 constexpr int kCutLines = 4;
+// Looks for which a cut told by its chatter goes on without it: one window, so that nothing is left of what told it.
+constexpr unsigned kHolds = 4;
 
 // Speed and current are integrals of the cutting torque and fall with the frequency; what an encoder or a converter
 // adds does not, and an encoder's rises with it. Above where tools chatter they tell nothing.
@@ -137,6 +139,7 @@ void Conditioner::reset() noexcept {
   gapPending_ = false;
   doubted_ = false;
   startsInChatter_ = 0;
+  cutUntil_ = 0;
 }
 
 void Conditioner::restart() noexcept {
@@ -280,7 +283,8 @@ void Conditioner::advanceGate() noexcept {
   // An idling spindle puts no force on the tool: any series of its orders is cut. In a slot that four teeth cut the
   // tooth passing is nearly constant, and its runout is what a force sensor measures.
   const bool teeth = speed_.forced() || (onlyForce_ && look.certain);
-  gate_.setForced((teeth && look.seriesLines >= kCutLines) || chattersFromTheStart());
+  if (chattersFromTheStart() || (gate_.inCut() && look.familyStands)) cutUntil_ = look.count + kHolds;
+  gate_.setForced((teeth && look.seriesLines >= kCutLines) || look.count < cutUntil_);
   gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.isolatedLine().value > 0.0 ||
                       (look.certain && look.teethHeard));
   for (double& s : squares_) s /= stepFrames_;

@@ -91,6 +91,7 @@ class Conditioner {
   SpeedTracker speed_;
   SeriesWatch series_;
   int startsInChatter_ = 0;  // looks on end that can be nothing else
+  unsigned cutUntil_ = 0;    // look to which the lines of a cut hold
   CutGate gate_;
   dsp::kernels::Kernels kernels_;
   std::vector<dsp::Butterworth> filters_;

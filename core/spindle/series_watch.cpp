@@ -30,7 +30,8 @@ constexpr std::size_t kLobe = 2;       // bins beside a Hann line
 constexpr double kSpeedDoubt = 1e-4;   // of one cell of the belief
 constexpr int kSideLines = 3;          // with the line itself: fewer stand on one spacing by chance
 constexpr double kMostly = 0.5;        // of the line power
-constexpr double kExplained = 0.4;     // of the lines' weight by two series; by chance a quarter
+constexpr double kExplained = 0.25;    // of the lines' weight by two series: more than by chance
+constexpr int kForcedLines = 4;        // on the orders: blows of teeth make a series of many, as in a cut
 
 // Below this part of the most that it was of late; the newest value goes into the row.
 template <std::size_t N>
@@ -164,9 +165,10 @@ void SeriesWatch::look(Hertz told, double sd) noexcept {
 
 void SeriesWatch::judgeFamily() noexcept {
   const int family = look_.free.members > 1 ? look_.free.members : 0;  // a tone alone is none
-  look_.seriesLines = series_.onOrders(look_.spindle) + family;
-  look_.familyLeads = look_.teethHeard && look_.explained > kExplained && look_.free.members >= kSideLines &&
-                      look_.free.share > kMostly;
+  const int onOrders = series_.onOrders(look_.spindle);
+  look_.seriesLines = onOrders + family;
+  look_.familyStands = look_.teethHeard && look_.free.members >= kSideLines && look_.free.share > kMostly;
+  look_.familyLeads = look_.familyStands && onOrders >= kForcedLines && look_.explained > kExplained;
 }
 
 // The mean over the likely speeds.

@@ -22,23 +22,24 @@ namespace stillcut::detect {
 
 // The newest look.
 struct SeriesLook {
-  unsigned count = 0;        // of looks so far: a new one has another number
-  Hertz spindle{};           // the most likely speed; 0: nobody told one, or nothing was heard
-  double sd = 0.0;           // relative
-  double certainty = 0.0;    // probability that it is this one
-  bool certain = false;      // no other speed is likely
-  bool teethHeard = false;   // a line stands at a multiple of the tooth passing: the tool cuts
-  double explained = 0.0;    // of the lines' weight, by the two series at the most likely speed
-  int lines = 0;             // that are not the machine's, of all channels
-  int seriesLines = 0;       // ... that stand on the orders of the most likely speed, or make a family beside them
-  bool familyLeads = false;  // most of the line power is one family off the orders, beside a tooth passing: it is cut
-  bool whole = false;        // all that was looked at is of one cut, ...
-  bool leaving = false;      // ... which becomes quieter, as where the tool leaves
-  bool steady = true;        // the speed was the same in all that was looked at
-  bool agreed = true;        // a speed that was found far from the told one is this one
-  int channel = 0;           // the one furthest off the orders,
-  double joint = 0.0;        // the share in all channels of its quantity together, by their powers
-  FreeFamily free;           // ... and what is there; its share is the least that the likely speeds leave
+  unsigned count = 0;         // of looks so far: a new one has another number
+  Hertz spindle{};            // the most likely speed; 0: nobody told one, or nothing was heard
+  double sd = 0.0;            // relative
+  double certainty = 0.0;     // probability that it is this one
+  bool certain = false;       // no other speed is likely
+  bool teethHeard = false;    // a line stands at a multiple of the tooth passing: the tool cuts
+  double explained = 0.0;     // of the lines' weight, by the two series at the most likely speed
+  int lines = 0;              // that are not the machine's, of all channels
+  int seriesLines = 0;        // ... that stand on the orders of the most likely speed, or make a family beside them
+  bool familyStands = false;  // most of the line power is one family off the orders, beside a tooth passing
+  bool familyLeads = false;   // ... among the orders that blows of teeth make: it is cut
+  bool whole = false;         // all that was looked at is of one cut, ...
+  bool leaving = false;       // ... which becomes quieter, as where the tool leaves
+  bool steady = true;         // the speed was the same in all that was looked at
+  bool agreed = true;         // a speed that was found far from the told one is this one
+  int channel = 0;            // the one furthest off the orders,
+  double joint = 0.0;         // the share in all channels of its quantity together, by their powers
+  FreeFamily free;            // ... and what is there; its share is the least that the likely speeds leave
 };
 
 class SeriesWatch {
