@@ -198,7 +198,7 @@ void lookAt(Session& session, ui::MainWindow& window, const QString& file, qint6
   window.openFile(wholePath(file));
   const auto busy = [&files = *session.files()] {
     const bool read = files.contents(kMain) != nullptr;
-    return files.reading(kMain).running || files.answering().running || files.comparing() ||
+    return files.reading(kMain).running || files.answering(kMain).running || files.comparing() ||
            (read && files.spectra(kMain) == nullptr);
   };
   do {

@@ -1,7 +1,8 @@
 // FileController: one recording as a whole, and what is said about it: its samples and spectra, what was recorded with
 // it, and the answer of the detectors for the teeth and the speed that somebody has told. A second recording may lie
-// beside it. Whatever runs at the machine is not touched by it. app/session implements it; what takes time runs on
-// threads of its own and is taken over by poll(). GUI thread; every function returns at once.
+// beside it, with teeth, speed and an answer of its own. Whatever runs at the machine is not touched by it. app/session
+// implements it; what takes time runs on threads of its own and is taken over by poll(). GUI thread; every function
+// returns at once.
 #pragma once
 
 #include <QString>
@@ -101,12 +102,13 @@ class FileController {
   virtual std::shared_ptr<const FileContents> contents(Place place) const = 0;
   virtual TaskState reading(Place place) const = 0;
 
-  // Of the main one. What was asked before is given up.
-  virtual void ask(const FileQuestion& question) = 0;
-  virtual FileQuestion asked() const = 0;
-  virtual std::shared_ptr<const FileAnswer> answer() const = 0;  // null: none yet; of another question until it comes
-  virtual TaskState answering() const = 0;
-  virtual bool comparing() const = 0;  // the other detectors are still at work
+  // What was asked before of the same one is given up.
+  virtual void ask(Place place, const FileQuestion& question) = 0;
+  virtual FileQuestion asked(Place place) const = 0;
+  // Null: none yet; of another question until it comes. Of the one beside by the first detector alone.
+  virtual std::shared_ptr<const FileAnswer> answer(Place place) const = 0;
+  virtual TaskState answering(Place place) const = 0;
+  virtual bool comparing() const = 0;  // the other detectors are still at work on the main one
   virtual FileFindings findings() const = 0;
 
   // Everything a report of the main one needs, its answer among it: asked for, and there once; null until then.

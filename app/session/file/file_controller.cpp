@@ -30,7 +30,8 @@ bool DeskFileController::poll() {
     read = shown.reading.collect() || read;
     any = shown.transforming.collect() || any;
   }
-  const bool answered = answering_.collect();
+  const bool answered = places_[Main].answering.collect();
+  any = places_[Beside].answering.collect() || any;
   if (answered || read) findInSignal();
   const bool more = others_.collect(), found = finding_.collect(), summed = summarizing_.collect();
   return any || answered || read || more || found || summed;
@@ -47,47 +48,48 @@ void DeskFileController::open(Place place, const QString& path) {
         if (!read) return read.error();
         return BackgroundTask::Apply([&shown, made = std::move(read).value()] { shown.read = made; });
       });
-  if (place == Main) ask({});
+  ask(place, {});
 }
 
 void DeskFileController::close(Place place) {
   Shown& shown = places_[place];
   shown.reading.leave();
   shown.transforming.leave();
+  shown.answering.leave();
   shown.path.clear();
   shown.read = {};
+  shown.judgement.reset();
+  shown.question = {};
   shown.spectra.reset();
   changed_ = true;
   if (place != Main) return;
   sound_.stop();
-  answering_.leave();
   others_.leave();
   finding_.leave();
   summarizing_.leave();
   summary_.reset();
-  judgement_.reset();
   findings_ = {};
-  question_ = {};
 }
 
-void DeskFileController::ask(const ui::FileQuestion& question) {
-  question_ = question;
+void DeskFileController::ask(Place place, const ui::FileQuestion& question) {
+  Shown& shown = places_[place];
+  shown.question = question;
   changed_ = true;
-  others_.leave();
-  const QString& path = places_[Main].path;
-  if (path.isEmpty()) return;
-  answering_.start(
-      ui::TaskState::What::Detectors, path,
-      [this, question, file = path.toStdString()](BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
+  if (place == Main) others_.leave();
+  if (shown.path.isEmpty()) return;
+  shown.answering.start(
+      ui::TaskState::What::Detectors, shown.path,
+      [this, place, question,
+       file = shown.path.toStdString()](BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
         auto judged = judgeFile(file, question, FileDetectors::Default, p);
         if (!judged) return judged.error();
-        return BackgroundTask::Apply([this, question, made = std::move(judged).value()] {
-          judgement_ = made;
-          judged_ = question;
-          askOthers(question);
+        return BackgroundTask::Apply([this, place, question, made = std::move(judged).value()] {
+          places_[place].judgement = made;
+          places_[place].judged = question;
+          if (place == Main) askOthers(question);
         });
       },
-      [this](const Error&) { judgement_.reset(); });
+      [&shown](const Error&) { shown.judgement.reset(); });
 }
 
 void DeskFileController::askOthers(const ui::FileQuestion& question) {
@@ -97,8 +99,9 @@ void DeskFileController::askOthers(const ui::FileQuestion& question) {
                   auto judged = judgeFile(file, question, FileDetectors::Others, p);
                   if (!judged) return judged.error();
                   return BackgroundTask::Apply([this, question, made = std::move(judged).value()] {
-                    if (!judgement_ || !(judged_ == question)) return;
-                    std::vector<ui::FileTrack>& tracks = judgement_->tracks;
+                    Shown& main = places_[Main];
+                    if (!main.judgement || !(main.judged == question)) return;
+                    std::vector<ui::FileTrack>& tracks = main.judgement->tracks;
                     tracks.insert(tracks.end(), made.tracks.begin(), made.tracks.end());
                   });
                 });
@@ -106,13 +109,15 @@ void DeskFileController::askOthers(const ui::FileQuestion& question) {
 
 // Once the samples are there, and it is known which channels are vibration.
 void DeskFileController::findInSignal() {
-  const FileReading& read = places_[Main].read;
-  if (!judgement_ || !read.samples) return;
+  const Shown& main = places_[Main];
+  const FileReading& read = main.read;
+  if (!main.judgement || !read.samples) return;
   evaluate::GuessRequest request;
   request.rate = read.contents->rate;
-  request.told = judged_.speed.value > 0.0 ? judged_.speed : read.contents->told.speed;
-  request.heard = judgement_->speed;
-  for (const ChannelAnswer& channel : judgement_->answers.front().channels) request.channels.push_back(channel.index);
+  request.told = main.judged.speed.value > 0.0 ? main.judged.speed : read.contents->told.speed;
+  request.heard = main.judgement->speed;
+  for (const ChannelAnswer& channel : main.judgement->answers.front().channels)
+    request.channels.push_back(channel.index);
   finding_.start(ui::TaskState::What::Detectors, places_[Main].path,
                  [this, request, samples = read.samples](BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
                    const auto guess = evaluate::guessFromSignal(*samples, request, [&p] { return !p.stopped(); });
@@ -125,15 +130,17 @@ void DeskFileController::findInSignal() {
                  });
 }
 
-std::shared_ptr<const ui::FileAnswer> DeskFileController::answer() const {
-  if (!judgement_) return nullptr;
-  return std::make_shared<const ui::FileAnswer>(inWords(judged_, *judgement_));
+std::shared_ptr<const ui::FileAnswer> DeskFileController::answer(Place place) const {
+  const Shown& shown = places_[place];
+  if (!shown.judgement) return nullptr;
+  return std::make_shared<const ui::FileAnswer>(inWords(shown.judged, *shown.judgement));
 }
 
 void DeskFileController::askSummary() {
   summary_.reset();
+  const std::optional<FileJudgement>& judgement = places_[Main].judgement;
   const std::optional<SummaryAnswer> answer =
-      judgement_ ? std::optional(sentencesOf(*judgement_)) : std::optional<SummaryAnswer>();
+      judgement ? std::optional(sentencesOf(*judgement)) : std::optional<SummaryAnswer>();
   summarizing_.start(ui::TaskState::What::Reading, places_[Main].path,
                      [this, answer, file = places_[Main].path.toStdString()](
                          BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {

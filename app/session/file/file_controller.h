@@ -24,10 +24,10 @@ class DeskFileController final : public ui::FileController {
   std::shared_ptr<const ui::FileContents> contents(Place place) const override { return places_[place].read.contents; }
   ui::TaskState reading(Place place) const override { return places_[place].reading.state(); }
 
-  void ask(const ui::FileQuestion& question) override;
-  ui::FileQuestion asked() const override { return question_; }
-  std::shared_ptr<const ui::FileAnswer> answer() const override;
-  ui::TaskState answering() const override { return answering_.state(); }
+  void ask(Place place, const ui::FileQuestion& question) override;
+  ui::FileQuestion asked(Place place) const override { return places_[place].question; }
+  std::shared_ptr<const ui::FileAnswer> answer(Place place) const override;
+  ui::TaskState answering(Place place) const override { return places_[place].answering.state(); }
   bool comparing() const override { return others_.state().running; }
   ui::FileFindings findings() const override { return findings_; }
 
@@ -47,18 +47,18 @@ class DeskFileController final : public ui::FileController {
     QString path;
     FileReading read;
     std::shared_ptr<const Spectra> spectra;
-    BackgroundTask reading, transforming;
+    ui::FileQuestion question;
+    std::optional<FileJudgement> judgement;
+    ui::FileQuestion judged;  // that `judgement` answers
+    BackgroundTask reading, transforming, answering;
   };
   void findInSignal();
   void askOthers(const ui::FileQuestion& question);
 
   std::array<Shown, 2> places_;
-  ui::FileQuestion question_;
-  std::optional<FileJudgement> judgement_;
-  ui::FileQuestion judged_;  // that judgement_ answers
   ui::FileFindings findings_;
   std::shared_ptr<const SessionSummary> summary_;
-  BackgroundTask answering_, others_, finding_, summarizing_;
+  BackgroundTask others_, finding_, summarizing_;
   SoundPlayer sound_;
   bool changed_ = false;
 };

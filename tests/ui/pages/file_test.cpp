@@ -290,6 +290,41 @@ TEST_F(FilePageTest, APictureIsWrittenBesideTheRecordingInOneTouch) {
   EXPECT_TRUE(text("file-status").contains(QStringLiteral("cut-2.png")));
 }
 
+TEST_F(FilePageTest, TwoCutsAreComparedByTheirAnswersAndLevelsInFourTouches) {
+  desk_.besideLouder_dB = 6.0;
+  openWindow();
+  int asked = 0;
+  page().chooseFile = [&](const QString&, const std::function<void(const QString&)>& take) {
+    take(++asked == 1 ? QStringLiteral("/rec/after.wav") : QStringLiteral("/rec/before.wav"));
+  };
+  window_->showPage(QStringLiteral("file"));  // one touch, the second, and one on each of two files
+  press(QStringLiteral("file-beside"));
+  tick(40);
+  tick(40);
+  EXPECT_EQ(asked, 2) << "where nothing is open both are asked for";
+  EXPECT_EQ(desk_.path(FileController::Main), QStringLiteral("/rec/after.wav"));
+  ASSERT_EQ(desk_.path(FileController::Beside), QStringLiteral("/rec/before.wav"));
+  QTest::keyClicks(find<QLineEdit>(QStringLiteral("file-beside-teeth")), QStringLiteral("4"));
+  QTest::keyClicks(find<QLineEdit>(QStringLiteral("file-beside-speed")), QStringLiteral("7100"));
+  tick(40);
+  tick(400);
+  EXPECT_EQ(desk_.asked(FileController::Beside), (FileQuestion{4, Rpm(7100.0)}));
+  EXPECT_EQ(desk_.asked(FileController::Main), FileQuestion()) << "the first keeps its own";
+  desk_.finish();
+  desk_.finishBeside();
+  tick(40);
+  tick(40);
+  EXPECT_TRUE(text("file-beside-title").remove(QChar(0x200b)).contains(QStringLiteral("before.wav")));
+  EXPECT_EQ(text("file-beside-headline"), QStringLiteral("Chatter at 1502 Hz from 4.0 s on"));
+  EXPECT_TRUE(text("file-beside-level").contains(QStringLiteral("louder")));
+  EXPECT_TRUE(text("file-beside-level").startsWith(u'6'));
+  EXPECT_EQ(find<StateRows>()->rows().back().detector, QStringLiteral("compared"));
+  press(QStringLiteral("file-beside"));
+  tick(40);
+  EXPECT_FALSE(find<QLabel>(QStringLiteral("file-beside-title"))->isVisible());
+  EXPECT_EQ(find<StateRows>()->rows().size(), 4U);
+}
+
 TEST_F(FilePageTest, ASecondRecordingLiesBesideAndGoesAgain) {
   openWindow();
   openFile();
@@ -302,7 +337,7 @@ TEST_F(FilePageTest, ASecondRecordingLiesBesideAndGoesAgain) {
   EXPECT_EQ(desk_.path(FileController::Beside), QStringLiteral("/rec/before.wav"));
   EXPECT_EQ(desk_.requests.back().first, FileController::Beside);
   page().view().setHarmonic(Hertz(1502.0));
-  EXPECT_TRUE(find<FileSpectrum>()->reading().contains(QStringLiteral("beside")));
+  EXPECT_TRUE(find<FileSpectrum>()->reading().contains(QStringLiteral("compared")));
   press(QStringLiteral("file-beside"));
   tick(40);
   EXPECT_TRUE(desk_.path(FileController::Beside).isEmpty());

@@ -52,8 +52,9 @@ class FileDesk : public testing::Test {
     return file.fileName();
   }
   void settle() {
-    test::waitFor(desk_,
-                  [this] { return !desk_.reading(kMain).running && !desk_.answering().running && !desk_.comparing(); });
+    test::waitFor(desk_, [this] {
+      return !desk_.reading(kMain).running && !desk_.answering(kMain).running && !desk_.comparing();
+    });
   }
 
   QTemporaryDir folder_;
@@ -83,11 +84,11 @@ TEST_F(FileDesk, TheSpeedOfTheAnswerIsTheSpindlesAndNotTheChatters) {
 TEST_F(FileDesk, SaysWhatTheCommandSays) {
   const QString path = chatter();
   desk_.open(kMain, path);
-  desk_.ask({2, Rpm(10'100.0)});
+  desk_.ask(kMain, {2, Rpm(10'100.0)});
   settle();
   const RecordingAnswer right = answerOfCommand(path, 2, Rpm(10'100.0));
   ASSERT_EQ(right.finding, Finding::Chatter);
-  const auto answer = desk_.answer();
+  const auto answer = desk_.answer(kMain);
   ASSERT_NE(answer, nullptr);
   EXPECT_EQ(answer->finding, right.finding);
   EXPECT_EQ(answer->chatter, right.chatter);
@@ -130,13 +131,13 @@ TEST(IndicatorCurve, KeepsTheLargestWhateverTheLength) {
 TEST_F(FileDesk, AnotherQuestionTakesThePlaceOfTheOneBefore) {
   const QString path = chatter();
   desk_.open(kMain, path);
-  for (int teeth = 1; teeth <= 4; ++teeth) desk_.ask({teeth, Rpm(9'000.0)});
-  desk_.ask({2, Rpm(10'100.0)});
-  EXPECT_EQ(desk_.asked(), (ui::FileQuestion{2, Rpm(10'100.0)}));
+  for (int teeth = 1; teeth <= 4; ++teeth) desk_.ask(kMain, {teeth, Rpm(9'000.0)});
+  desk_.ask(kMain, {2, Rpm(10'100.0)});
+  EXPECT_EQ(desk_.asked(kMain), (ui::FileQuestion{2, Rpm(10'100.0)}));
   settle();
-  ASSERT_NE(desk_.answer(), nullptr);
-  EXPECT_EQ(desk_.answer()->question, desk_.asked());
-  EXPECT_EQ(desk_.answer()->teeth, 2);
+  ASSERT_NE(desk_.answer(kMain), nullptr);
+  EXPECT_EQ(desk_.answer(kMain)->question, desk_.asked(kMain));
+  EXPECT_EQ(desk_.answer(kMain)->teeth, 2);
   test::waitFor(desk_, [this] { return desk_.findings().speed_rpm.value > 0.0; });
   EXPECT_NEAR(desk_.findings().speed_rpm.value, 10'100.0, 60.0);
 }
@@ -178,7 +179,7 @@ TEST_F(FileDesk, WhatWasRecordedIsShownAsRecordedWhateverIsAsked) {
   EXPECT_GT(file->told.teeth, 0);
   const std::vector<ui::FileState> before = file->recorded->states;
   ASSERT_TRUE(std::any_of(before.begin(), before.end(), [](const auto& s) { return s.state == CutState::Chatter; }));
-  desk_.ask({7, Rpm(4'000.0)});
+  desk_.ask(kMain, {7, Rpm(4'000.0)});
   desk_.askSpectra(kMain, {0, 512, SpectraWindow::Hann, 0.5, Seconds(1.0), Seconds(1.5), 100});
   settle();
   const std::vector<ui::FileState>& after = desk_.contents(kMain)->recorded->states;
@@ -186,11 +187,29 @@ TEST_F(FileDesk, WhatWasRecordedIsShownAsRecordedWhateverIsAsked) {
   for (std::size_t k = 0; k < after.size(); ++k) EXPECT_EQ(after[k].state, before[k].state);
 }
 
+TEST_F(FileDesk, TheOneBesideHasAQuestionAndAnAnswerOfItsOwn) {
+  const QString path = chatter();
+  desk_.open(kMain, path);
+  desk_.ask(kMain, {2, Rpm(10'100.0)});
+  desk_.open(kBeside, path);
+  EXPECT_EQ(desk_.asked(kBeside), ui::FileQuestion());
+  desk_.ask(kBeside, {2, Rpm(10'100.0)});
+  settle();
+  test::waitFor(desk_, [this] { return !desk_.answering(kBeside).running; });
+  ASSERT_NE(desk_.answer(kBeside), nullptr);
+  EXPECT_EQ(desk_.answer(kBeside)->finding, Finding::Chatter);
+  EXPECT_EQ(desk_.answer(kBeside)->headline, desk_.answer(kMain)->headline);
+  EXPECT_EQ(desk_.answer(kBeside)->tracks.size(), 1U) << "of the first detector";
+  desk_.ask(kBeside, {3, Rpm(10'100.0)});
+  EXPECT_EQ(desk_.asked(kMain), (ui::FileQuestion{2, Rpm(10'100.0)}));
+  EXPECT_FALSE(desk_.answering(kMain).running);
+}
+
 TEST_F(FileDesk, AFileThatCannotBeReadSaysWhyAndASecondOneLiesBeside) {
   desk_.open(kMain, folder_.filePath(QStringLiteral("none.wav")));
   settle();
   EXPECT_EQ(desk_.contents(kMain), nullptr);
-  EXPECT_EQ(desk_.answer(), nullptr);
+  EXPECT_EQ(desk_.answer(kMain), nullptr);
   EXPECT_FALSE(desk_.reading(kMain).problem.isEmpty());
   desk_.open(kMain, write(QStringLiteral("letter.csv"), "dear machine,\nstop it\n"));
   settle();
@@ -202,6 +221,7 @@ TEST_F(FileDesk, AFileThatCannotBeReadSaysWhyAndASecondOneLiesBeside) {
   settle();
   test::waitFor(desk_, [this] { return desk_.contents(kBeside) != nullptr; });
   desk_.close(kBeside);
+  EXPECT_EQ(desk_.answer(kBeside), nullptr);
   EXPECT_EQ(desk_.contents(kBeside), nullptr);
   EXPECT_NE(desk_.contents(kMain), nullptr);
 }

@@ -22,27 +22,30 @@ class FakeFileDesk final : public FileController {
     contents_[place] = unreadable.isEmpty() ? makeContents(path) : nullptr;
     spectra_[place].reset();
     reading_[place].problem = unreadable;
-    if (place == Main) ask({});
+    ask(place, {});
     changed = true;
   }
   void close(Place place) override {
     paths_[place].clear();
     contents_[place].reset();
+    answers_[place].reset();
     spectra_[place].reset();
     changed = true;
   }
   QString path(Place place) const override { return paths_[place]; }
   std::shared_ptr<const FileContents> contents(Place place) const override { return contents_[place]; }
   TaskState reading(Place place) const override { return reading_[place]; }
-  void ask(const FileQuestion& question) override {
+  void ask(Place place, const FileQuestion& question) override {
+    changed = true;
+    asked_[place] = question;
+    if (place == Beside) return;  // finishBeside() answers it
     questions.push_back(question);
     judging.running = true;
     judging.part = 0.4;
-    changed = true;
   }
-  FileQuestion asked() const override { return questions.empty() ? FileQuestion() : questions.back(); }
-  std::shared_ptr<const FileAnswer> answer() const override { return answer_; }
-  TaskState answering() const override { return judging; }
+  FileQuestion asked(Place place) const override { return asked_[place]; }
+  std::shared_ptr<const FileAnswer> answer(Place place) const override { return answers_[place]; }
+  TaskState answering(Place place) const override { return place == Main ? judging : TaskState(); }
   bool comparing() const override { return false; }
   FileFindings findings() const override { return found; }
   void askSummary() override { ++summariesAsked; }
@@ -50,7 +53,7 @@ class FakeFileDesk final : public FileController {
   TaskState summarizing() const override { return {}; }
   void askSpectra(Place place, const SpectraRequest& request) override {
     requests.push_back({place, request});
-    spectra_[place] = makeSpectra(request);
+    spectra_[place] = makeSpectra(request, place == Beside ? besideLouder_dB : 0.0);
     changed = true;
   }
   std::shared_ptr<const Spectra> spectra(Place place) const override { return spectra_[place]; }
@@ -67,8 +70,17 @@ class FakeFileDesk final : public FileController {
 
   // The question asked last is answered.
   void finish() {
+    answers_[Main] = makeAnswer(Main);
+    judging.running = false;
+    changed = true;
+  }
+  void finishBeside() {
+    answers_[Beside] = makeAnswer(Beside);
+    changed = true;
+  }
+  std::shared_ptr<const FileAnswer> makeAnswer(Place place) const {
     FileAnswer answer;
-    answer.question = asked();
+    answer.question = asked(place);
     answer.finding = Finding::Chatter;
     answer.headline = QStringLiteral("Chatter at 1502 Hz from 4.0 s on");
     answer.advice = QStringLiteral(
@@ -76,7 +88,7 @@ class FakeFileDesk final : public FileController {
         "less depth");
     answer.details = QStringList{QStringLiteral("Judged 8.0 of 10.0 s; the rest: 2.0 s of air"),
                                  QStringLiteral("Chatter can be detected up to 3500 Hz")};
-    answer.teeth = asked().teeth > 0 ? asked().teeth : 2;
+    answer.teeth = asked(place).teeth > 0 ? asked(place).teeth : 2;
     answer.chatter = Hertz(kChatter);
     answer.spindle = Hertz(158.4);
     for (const char* name : {"Energy ratio", "Coherence", "Growth", "Statistics"}) {
@@ -89,9 +101,7 @@ class FakeFileDesk final : public FileController {
                                 {Seconds(9.0), Seconds(10.0), CutState::AirCutting, true}},
                                makeCurve()});
     }
-    answer_ = std::make_shared<const FileAnswer>(std::move(answer));
-    judging.running = false;
-    changed = true;
+    return std::make_shared<const FileAnswer>(std::move(answer));
   }
 
   struct Opened {
@@ -110,6 +120,7 @@ class FakeFileDesk final : public FileController {
   std::optional<FileTrack> recorded;
   qint64 wallMs = 0;
   int summariesAsked = 0;
+  double besideLouder_dB = 0.0;
   bool noSound = false, changed = true;
 
  private:
@@ -148,7 +159,7 @@ class FakeFileDesk final : public FileController {
     }
     return std::make_shared<const FileContents>(std::move(contents));
   }
-  static std::shared_ptr<const Spectra> makeSpectra(const SpectraRequest& request) {
+  static std::shared_ptr<const Spectra> makeSpectra(const SpectraRequest& request, double louder_dB) {
     Spectra s;
     s.request = request;
     s.bins = request.length / 2 + 1;
@@ -163,7 +174,7 @@ class FakeFileDesk final : public FileController {
         double level = -70.0 + 3.0 * std::sin(0.7 * b + 1.3 * k);
         if (t > 1.0 && t < 9.0 && std::abs(std::remainder(f, 316.8)) < s.binWidth) level = -10.0 - 0.01 * f;
         if (t > 4.0 && t < 9.0 && std::abs(f - kChatter) < s.binWidth) level = 3.0;
-        s.level_dB.push_back(static_cast<float>(level));
+        s.level_dB.push_back(static_cast<float>(level + louder_dB));
       }
     }
     return std::make_shared<const Spectra>(std::move(s));
@@ -173,7 +184,8 @@ class FakeFileDesk final : public FileController {
   std::array<std::shared_ptr<const FileContents>, 2> contents_;
   std::array<std::shared_ptr<const Spectra>, 2> spectra_;
   std::array<TaskState, 2> reading_;
-  std::shared_ptr<const FileAnswer> answer_;
+  std::array<FileQuestion, 2> asked_;
+  std::array<std::shared_ptr<const FileAnswer>, 2> answers_;
 };
 
 }  // namespace stillcut::ui

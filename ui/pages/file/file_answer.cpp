@@ -2,8 +2,6 @@
 
 #include <QDateTime>
 #include <QFileInfo>
-#include <QHBoxLayout>
-#include <QLineEdit>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -11,25 +9,12 @@
 #include <utility>
 
 #include "ui/base/format.h"
-#include "ui/base/typed_number.h"
+#include "ui/pages/file/question_fields.h"
 #include "ui/pages/tool_button.h"
-#include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
 
 namespace stillcut::ui {
 namespace {
-
-constexpr int kMostTeeth = 64;
-constexpr double kHighestSpeed = 1e6;  // rev/min
-
-QLineEdit* makeField(const char* name, const QString& spoken) {
-  auto* field = new QLineEdit;
-  field->setObjectName(QLatin1String(name));
-  field->setAccessibleName(spoken);
-  field->setPlaceholderText(spoken);
-  field->setInputMethodHints(Qt::ImhFormattedNumbersOnly);
-  return field;
-}
 
 QString factsOf(const FileContents& file) {
   QStringList facts{file.kind, join(number(file.rate.value), QStringLiteral("Hz")),
@@ -50,19 +35,49 @@ Tone toneOf(Finding finding) {
   return finding == Finding::Chatter ? Tone::Chatter : finding == Finding::NotJudged ? Tone::Onset : Tone::Normal;
 }
 
+struct Words {
+  Tone tone = Tone::Normal;
+  QString headline, advice;
+  QStringList details;
+};
+
+Words wordsOf(const FileAnswerPanel::Shown& shown) {
+  const QString& problem = !shown.reading.problem.isEmpty() ? shown.reading.problem : shown.judging.problem;
+  const bool current = shown.answer && shown.answer->question == shown.asked;
+  Words words;
+  if (shown.path.isEmpty()) return words;
+  if (!problem.isEmpty() && !shown.judging.running) {
+    words.tone = Tone::Onset;
+    words.headline = shown.file ? FileAnswerPanel::tr("Cannot be judged") : FileAnswerPanel::tr("Cannot be read");
+    words.details << problem;
+  } else if (!current) {
+    if (shown.judging.running) words.headline = FileAnswerPanel::tr("Judging, %1").arg(percent(shown.judging.part));
+  } else {
+    words.tone = toneOf(shown.answer->finding);
+    words.headline = shown.answer->headline;
+    words.advice = shown.answer->advice;
+    words.details = shown.answer->details;
+  }
+  if (shown.file && problem.isEmpty()) words.details << shown.file->notes;
+  return words;
+}
+
 }  // namespace
 
 FileAnswerPanel::FileAnswerPanel(QWidget* parent)
     : Panel(parent),
-      fields_(new QHBoxLayout),
       title_(new TextLabel({type_size::kValue, true, false, true})),
       facts_(new TextLabel({type_size::kLabel, false, true, true})),
       headline_(new TextLabel({type_size::kValue + 4, true, false, true})),
       advice_(new TextLabel({type_size::kButton, true, false, true})),
       details_(new TextLabel({type_size::kBody, false, false, true})),
       found_(new TextLabel({type_size::kLabel, false, true, true})),
-      teeth_(makeField("file-teeth", tr("Teeth"))),
-      speed_(makeField("file-speed", tr("Speed, rev/min"))),
+      fields_(new QuestionFields(QStringLiteral("file"))),
+      besideFields_(new QuestionFields(QStringLiteral("file-beside"))),
+      beside_(new QWidget),
+      besideTitle_(new TextLabel({type_size::kBody, true, false, true})),
+      besideHeadline_(new TextLabel({type_size::kButton, true, false, true})),
+      besideLevel_(new TextLabel({type_size::kLabel, false, true, true})),
       scroll_(new QScrollArea),
       open_(toolButton(tr("OPEN A RECORDING"), tr("Choose a recording to look at"), "file-open")) {
   auto* column = new QVBoxLayout(this);
@@ -72,14 +87,6 @@ FileAnswerPanel::FileAnswerPanel(QWidget* parent)
   found_->setObjectName(QStringLiteral("file-found"));
   title_->setObjectName(QStringLiteral("file-title"));
   advice_->setTone(Tone::Advice);
-  // Their labels stay when they are filled.
-  for (const auto& [field, share] : {std::pair(teeth_, 2), std::pair(speed_, 3)}) {
-    auto* labelled = new QVBoxLayout;
-    labelled->setSpacing(2);
-    labelled->addWidget(new TextLabel({type_size::kLabel, false, true}, field->accessibleName()));
-    labelled->addWidget(field);
-    fields_->addLayout(labelled, share);
-  }
   auto* words = new QWidget;
   auto* lines = new QVBoxLayout(words);
   lines->setContentsMargins(0, 0, 0, 0);
@@ -92,24 +99,25 @@ FileAnswerPanel::FileAnswerPanel(QWidget* parent)
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);
   column->addWidget(scroll_, 1);
-  column->addLayout(fields_);
+  column->addWidget(fields_);
   column->addWidget(found_);
+  makeBeside();
+  column->addWidget(beside_);
   column->addWidget(open_);
-  for (QLineEdit* field : {teeth_, speed_}) connect(field, &QLineEdit::textEdited, this, &FileAnswerPanel::edited);
+  connect(fields_, &QuestionFields::edited, this, [this] { emit edited(FileController::Main); });
+  connect(besideFields_, &QuestionFields::edited, this, [this] { emit edited(FileController::Beside); });
   connect(open_, &TouchButton::clicked, this, &FileAnswerPanel::openAsked);
 }
 
-FileQuestion FileAnswerPanel::question() const {
-  FileQuestion question;
-  const double teeth = typedSpeed(teeth_->text()), speed = typedSpeed(speed_->text());
-  if (teeth >= 1.0 && teeth <= kMostTeeth) question.teeth = static_cast<int>(std::lround(teeth));
-  if (speed > 0.0 && speed <= kHighestSpeed) question.speed = Rpm(speed);
-  return question;
-}
-
-void FileAnswerPanel::setQuestion(const FileQuestion& question) {
-  teeth_->setText(question.teeth > 0 ? QString::number(question.teeth) : QString());
-  speed_->setText(question.speed.value > 0.0 ? QString::number(question.speed.value, 'f', 0) : QString());
+void FileAnswerPanel::makeBeside() {
+  besideTitle_->setObjectName(QStringLiteral("file-beside-title"));
+  besideHeadline_->setObjectName(QStringLiteral("file-beside-headline"));
+  besideLevel_->setObjectName(QStringLiteral("file-beside-level"));
+  auto* lines = new QVBoxLayout(beside_);
+  lines->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* line : std::initializer_list<QWidget*>{besideTitle_, besideHeadline_, besideLevel_, besideFields_})
+    lines->addWidget(line);
+  beside_->hide();
 }
 
 void FileAnswerPanel::display(const Shown& shown) {
@@ -124,34 +132,31 @@ void FileAnswerPanel::display(const Shown& shown) {
         tr("Chatter or not, the reason, and the speed that helps. Drop a file on this window, or open one: "
            "sound of a phone, a table, a logger's file, a session."));
   }
-  for (QLineEdit* field : {teeth_, speed_}) field->setEnabled(any);
-  showAnswer(shown);
+  fields_->setEnabled(any);
+  const Words words = wordsOf(shown);
+  headline_->setTone(words.tone);
+  headline_->setText(words.headline);
+  advice_->setText(words.advice);
+  details_->setText(words.details.join(u'\n'));
   showFindings(shown);
 }
 
-void FileAnswerPanel::showAnswer(const Shown& shown) {
-  const QString& problem = !shown.reading.problem.isEmpty() ? shown.reading.problem : shown.judging.problem;
-  const bool current = shown.answer && shown.answer->question == shown.asked;
-  headline_->setTone(Tone::Normal);
-  QString advice;
-  QStringList details;
-  if (shown.path.isEmpty()) {
-    headline_->setText({});
-  } else if (!problem.isEmpty() && !shown.judging.running) {
-    headline_->setTone(Tone::Onset);
-    headline_->setText(shown.file ? tr("Cannot be judged") : tr("Cannot be read"));
-    details << problem;
-  } else if (!current) {
-    headline_->setText(shown.judging.running ? tr("Judging, %1").arg(percent(shown.judging.part)) : QString());
-  } else {
-    headline_->setTone(toneOf(shown.answer->finding));
-    headline_->setText(shown.answer->headline);
-    advice = shown.answer->advice;
-    details = shown.answer->details;
+void FileAnswerPanel::displayBeside(const Shown& shown, std::optional<double> louder_dB) {
+  beside_->setVisible(!shown.path.isEmpty());
+  if (shown.path.isEmpty()) return;
+  const Words words = wordsOf(shown);
+  besideTitle_->setText(tr("Compared with %1").arg(breakable(QFileInfo(shown.path).fileName())));
+  besideHeadline_->setTone(words.tone);
+  besideHeadline_->setText(words.headline);
+  QString level;
+  if (louder_dB) {
+    const QString by = join(number(std::abs(*louder_dB), 0), QStringLiteral("dB"));
+    level = std::abs(*louder_dB) < 0.5 ? tr("As loud in the cut as the first, if both were recorded alike")
+            : *louder_dB > 0.0         ? tr("%1 louder in the cut than the first, if both were recorded alike").arg(by)
+                               : tr("%1 quieter in the cut than the first, if both were recorded alike").arg(by);
   }
-  if (shown.file && problem.isEmpty()) details << shown.file->notes;
-  advice_->setText(advice);
-  details_->setText(details.join(u'\n'));
+  besideLevel_->setText(level);
+  besideLevel_->setVisible(!level.isEmpty());
 }
 
 void FileAnswerPanel::showFindings(const Shown& shown) {
@@ -176,12 +181,8 @@ void FileAnswerPanel::applyTheme(const Theme& theme) {
   Panel::applyTheme(theme);
   layout()->setContentsMargins(theme.px(14), theme.px(10), theme.px(14), theme.px(10));
   layout()->setSpacing(theme.px(8));
-  fields_->setSpacing(std::max(theme.px(8), pixelsFor(kTouchGapMm, this)));
   scroll_->widget()->layout()->setSpacing(theme.px(8));
-  for (QLineEdit* field : {teeth_, speed_}) {
-    field->setFont(theme.font(type_size::kBody));
-    field->setFixedHeight(touchHeight(theme, this));
-  }
+  beside_->layout()->setSpacing(theme.px(4));
 }
 
 }  // namespace stillcut::ui

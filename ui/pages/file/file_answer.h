@@ -1,18 +1,18 @@
 // What is said about a recording, large: chatter or not, what to do, what that rests on; and the two numbers that make
-// it better, with what the signal says of them. GUI thread.
+// it better, with what the signal says of them. Under it the same in short of a second one. GUI thread.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "ui/facade/file_controller.h"
 #include "ui/widgets/panel.h"
 
-class QHBoxLayout;
-class QLineEdit;
 class QScrollArea;
 
 namespace stillcut::ui {
 
+class QuestionFields;
 class TextLabel;
 class TouchButton;
 
@@ -30,23 +30,26 @@ class FileAnswerPanel : public Panel {
     FileFindings findings;
   };
   void display(const Shown& shown);
-  // As they stand in the fields; empty or no number: not told.
-  FileQuestion question() const;
-  void setQuestion(const FileQuestion& question);
+  // The one it is compared with; hidden without one. `louder_dB`: in the cut than the first, where that is known.
+  void displayBeside(const Shown& shown, std::optional<double> louder_dB);
+  QuestionFields& fields(FileController::Place place) const {
+    return *(place == FileController::Main ? fields_ : besideFields_);
+  }
 
   void applyTheme(const Theme& theme) override;
 
  signals:
-  void edited();
+  void edited(stillcut::ui::FileController::Place place);
   void openAsked();
 
  private:
-  void showAnswer(const Shown& shown);
+  void makeBeside();
   void showFindings(const Shown& shown);
 
-  QHBoxLayout* fields_;
   TextLabel *title_, *facts_, *headline_, *advice_, *details_, *found_;
-  QLineEdit *teeth_, *speed_;
+  QuestionFields *fields_, *besideFields_;
+  QWidget* beside_;
+  TextLabel *besideTitle_, *besideHeadline_, *besideLevel_;
   QScrollArea* scroll_;
   TouchButton* open_;
 };

@@ -11,10 +11,12 @@
 
 #include "ui/base/format.h"
 #include "ui/base/say.h"
+#include "ui/models/file/cut_level.h"
 #include "ui/pages/choose_files.h"
 #include "ui/pages/file/file_answer.h"
 #include "ui/pages/file/file_picture.h"
 #include "ui/pages/file/file_tools.h"
+#include "ui/pages/file/question_fields.h"
 #include "ui/pages/tool_button.h"
 #include "ui/plots/file/file_spectrum.h"
 #include "ui/plots/file/spectra_map.h"
@@ -97,7 +99,7 @@ QWidget* FilePage::makeFoot() {
   foot_ = new QHBoxLayout(foot);
   foot_->setContentsMargins(0, 0, 0, 0);
   play_ = toolButton(tr("LISTEN"), tr("Play the sound of the stretch on show"), "file-play");
-  beside_ = toolButton(tr("OVERLAY"), tr("Lay a second recording beside this one"), "file-beside");
+  beside_ = toolButton(tr("COMPARE"), tr("Compare with a second recording"), "file-beside");
   picture_ = toolButton(tr("PICTURE"), tr("Write a picture of this page beside the recording"), "file-picture");
   report_ = toolButton(tr("REPORT"), tr("Write a report of this recording beside it"), "file-report");
   play_->setKey(Qt::Key_Space);
@@ -112,10 +114,8 @@ QWidget* FilePage::makeFoot() {
 
 void FilePage::connectParts() {
   connect(answer_, &FileAnswerPanel::openAsked, this, [this] { choose(kMain); });
-  connect(answer_, &FileAnswerPanel::edited, this, [this] {
-    edited_ = true;
-    editedMs_ = -1;
-  });
+  connect(answer_, &FileAnswerPanel::edited, this,
+          [this](FileController::Place place) { editedMs_[place] = kJustNow; });
   connect(tools_, &FileTools::changed, this, [this] {
     viewMoved_ = true;
     showParts();
@@ -132,24 +132,31 @@ void FilePage::connectParts() {
   connect(picture_, &TouchButton::clicked, this, &FilePage::writePicture);
 }
 
-void FilePage::choose(FileController::Place place) {
-  chooseFile(place == kMain ? tr("Open a recording") : tr("Open a recording beside it"),
-             [this, place](const QString& path) {
+void FilePage::choose(FileController::Place place, bool thenOther) {
+  chooseFile(place == kMain ? tr("Open a recording") : tr("Open the recording to compare with"),
+             [this, place, thenOther](const QString& path) {
                if (path.isEmpty()) return;
                folder_ = QFileInfo(path).absolutePath();
                emit stateChanged();
-               if (place == kMain) return openFile(path);
-               controller_->open(kBeside, path);
-               refresh();
+               place == kMain ? openFile(path) : compareWith(path);
+               if (thenOther) choose(kBeside);
              });
+}
+
+void FilePage::compareWith(const QString& path) {
+  if (controller_ == nullptr) return;
+  controller_->open(kBeside, path);
+  answer_->fields(kBeside).setQuestion({});
+  editedMs_[kBeside] = kNotEdited;
+  refresh();
 }
 
 void FilePage::openFile(const QString& path) {
   if (controller_ == nullptr) return;
   if (path.isEmpty()) return choose(kMain);
   controller_->open(kMain, path);
-  answer_->setQuestion({});
-  edited_ = false;
+  answer_->fields(kMain).setQuestion({});
+  editedMs_[kMain] = kNotEdited;
   tell({});
   refresh();
 }
@@ -167,22 +174,29 @@ void FilePage::refresh() {
     view_.restart();
     view_.setWhole(file->length, file->rate * 0.5);
     judgedShown_ = false;
-    // What the file says itself stands in the fields, unless somebody was quicker.
-    const FileQuestion none;
-    if (answer_->question() == none)
-      answer_->setQuestion(controller_->asked() == none ? file->told : controller_->asked());
   }
+  for (const auto place : {kMain, kBeside}) showTold(place);
   if (!file && shown_) view_.restart();
   shown_ = file;
   showJudged();
   showParts();
 }
 
+// What the file says itself stands in the fields, unless somebody was quicker.
+void FilePage::showTold(FileController::Place place) {
+  const auto file = controller_->contents(place);
+  if (file == told_[place]) return;
+  told_[place] = file;
+  const FileQuestion none, asked = controller_->asked(place);
+  QuestionFields& fields = answer_->fields(place);
+  if (file && fields.question() == none) fields.setQuestion(asked == none ? file->told : asked);
+}
+
 // Up to where the detectors hear, once, and a little more: what lies above says nothing, and all of it is one touch
 // away.
 void FilePage::showJudged() {
   constexpr double kMore = 1.25;
-  const auto answer = controller_->answer();
+  const auto answer = controller_->answer(kMain);
   if (judgedShown_ || !shown_ || !answer || !(answer->judgedTo.value > 0.0)) return;
   judgedShown_ = true;
   const AnalyseOptions& options = view_.options();
@@ -192,7 +206,7 @@ void FilePage::showJudged() {
 
 FileMarks FilePage::marks() const {
   FileMarks marks;
-  if (const auto answer = controller_->answer()) {
+  if (const auto answer = controller_->answer(kMain)) {
     marks.spindle = answer->spindle;
     marks.chatter = answer->chatter;
     marks.teeth = answer->teeth;
@@ -201,14 +215,38 @@ FileMarks FilePage::marks() const {
 }
 
 void FilePage::showAnswer() {
-  answer_->display({controller_->contents(kMain), controller_->answer(), controller_->path(kMain),
-                    controller_->reading(kMain), controller_->answering(), controller_->asked(),
-                    controller_->findings()});
+  const auto shown = [this](FileController::Place place) {
+    return FileAnswerPanel::Shown{controller_->contents(place),
+                                  controller_->answer(place),
+                                  controller_->path(place),
+                                  controller_->reading(place),
+                                  controller_->answering(place),
+                                  controller_->asked(place),
+                                  place == kMain ? controller_->findings() : FileFindings()};
+  };
+  answer_->display(shown(kMain));
+  answer_->displayBeside(shown(kBeside), besideLouder_dB());
+}
+
+// Of the same quantity alone, and once both are judged.
+std::optional<double> FilePage::besideLouder_dB() const {
+  const auto unit = [this](FileController::Place place) {
+    const auto file = controller_->contents(place);
+    const auto spectra = controller_->spectra(place);
+    const bool any = file && spectra && spectra->request.channel < static_cast<int>(file->channels.size());
+    return any ? file->channels[static_cast<std::size_t>(spectra->request.channel)].unit : QString();
+  };
+  const auto level = [this](FileController::Place place) {
+    return cutLevel_dB(controller_->spectra(place).get(), controller_->answer(place).get());
+  };
+  const auto first = level(kMain), second = level(kBeside);
+  if (!first || !second || unit(kMain) != unit(kBeside)) return {};
+  return *second - *first;
 }
 
 void FilePage::showParts() {
   const auto file = controller_->contents(kMain), other = controller_->contents(kBeside);
-  const auto answer = controller_->answer();
+  const auto answer = controller_->answer(kMain), otherAnswer = controller_->answer(kBeside);
   const FileLook& look = tools_->look();
   const auto spectra = controller_->spectra(kMain), otherSpectra = controller_->spectra(kBeside);
   showAnswer();
@@ -217,18 +255,22 @@ void FilePage::showParts() {
   const bool any = file && look.channel < static_cast<int>(file->channels.size());
   const QString unit = any ? file->channels[static_cast<std::size_t>(look.channel)].unit : QString();
   map_->display(spectra, look, marks(), unit);
-  spectrum_->display({spectra, otherSpectra, look, marks(), unit});
+  spectrum_->display({spectra, otherSpectra, look, marks(), unit, nameOf(kMain), nameOf(kBeside)});
   std::vector<FileTrack> rows;
   if (file && file->recorded) rows.push_back(*file->recorded);
   const int answering = static_cast<int>(rows.size());
   if (answer) rows.insert(rows.end(), answer->tracks.begin(), answer->tracks.end());
+  if (otherAnswer && !otherAnswer->tracks.empty()) {
+    rows.push_back(otherAnswer->tracks.front());
+    rows.back().detector = tr("compared");
+  }
   states_->display(std::move(rows), answering);
   const bool wall = file && file->wallMs > 0;
   for (TimePlot* plot : std::initializer_list<TimePlot*>{wave_, map_, states_}) {
     plot->setElapsed(!wall);
     if (wall) plot->setClock([begin = file->wallMs](Instant t) { return begin + toNs(t) / 1'000'000; });
   }
-  for (TouchButton* button : {play_, beside_, picture_, report_}) button->setEnabled(file != nullptr);
+  for (TouchButton* button : {play_, picture_, report_}) button->setEnabled(file != nullptr);
   beside_->setChecked(!controller_->path(kBeside).isEmpty());
   const TaskState& reading = controller_->reading(kBeside);
   if (!reading.problem.isEmpty() && beside_->isChecked()) {
@@ -262,18 +304,13 @@ void FilePage::askSpectra(FileController::Place place) {
 void FilePage::display(const Picture& picture) {
   units_ = picture.units;
   if (controller_ == nullptr) return;
-  if (edited_ && editedMs_ < 0) editedMs_ = picture.nowMs;
-  if (edited_ && picture.nowMs - editedMs_ >= kTypingMs) {
-    edited_ = false;
-    controller_->ask(answer_->question());
-    refresh();
-  }
+  for (const auto place : {kMain, kBeside}) askTyped(place, picture.nowMs);
   if (reportWanted_) writeReport();
   askSpectra(kMain);
   askSpectra(kBeside);
   if (std::exchange(viewMoved_, false)) {
     showParts();
-  } else if (controller_->reading(kMain).running || controller_->answering().running) {
+  } else if (busy()) {
     showAnswer();  // how far it is
   }
   const auto heard = controller_->playing();
@@ -286,12 +323,32 @@ void FilePage::display(const Picture& picture) {
   }
 }
 
+// Where nothing is open yet it asks for both, one after the other.
 void FilePage::toggleBeside() {
   if (controller_->path(kBeside).isEmpty()) {
     beside_->setChecked(false);
-    return choose(kBeside);
+    const bool none = controller_->path(kMain).isEmpty();
+    return choose(none ? kMain : kBeside, none);
   }
   controller_->close(kBeside);
+  refresh();
+}
+
+bool FilePage::busy() const {
+  return controller_->reading(kMain).running || controller_->answering(kMain).running ||
+         controller_->answering(kBeside).running;
+}
+
+QString FilePage::nameOf(FileController::Place place) const {
+  return QFileInfo(controller_->path(place)).fileName();
+}
+
+void FilePage::askTyped(FileController::Place place, qint64 nowMs) {
+  qint64& edited = editedMs_[place];
+  if (edited == kJustNow) edited = nowMs;
+  if (edited == kNotEdited || nowMs - edited < kTypingMs) return;
+  edited = kNotEdited;
+  controller_->ask(place, answer_->fields(place).question());
   refresh();
 }
 
@@ -307,10 +364,10 @@ void FilePage::toggleSound() {
 void FilePage::writePicture() {
   const auto file = controller_->contents(kMain);
   if (!file) return;
-  const auto answer = controller_->answer();
+  const auto answer = controller_->answer(kMain);
   const QString name = nameBeside(file->path, QStringLiteral(".png"), elsewhere());
-  const QImage picture = filePicture(pictureTexts(*file, controller_->asked(), answer.get()), plots_->grab().toImage(),
-                                     wave_->shownTheme());
+  const QImage picture = filePicture(pictureTexts(*file, controller_->asked(kMain), answer.get()),
+                                     plots_->grab().toImage(), wave_->shownTheme());
   const bool written = picture.save(name);
   tell(written ? tr("Written: %1").arg(name) : tr("%1 cannot be written").arg(name), !written);
 }

@@ -1,10 +1,12 @@
 // The page for a recording as a whole: its answer in words, its samples, spectra and states over one axis of time, the
-// spectrum of any moment of it, sound, and a second recording beside it. What runs at the machine goes on. GUI thread.
+// spectrum of any moment of it, sound, and a second recording to compare with, with its own answer. What runs at the
+// machine goes on. GUI thread.
 #pragma once
 
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "ui/facade/file_controller.h"
 #include "ui/models/file/file_look.h"
@@ -46,15 +48,22 @@ class FilePage : public Page {
   std::function<void(const QString& title, const std::function<void(const QString&)>& chosen)> chooseFile;
 
  private:
+  static constexpr qint64 kNotEdited = -2, kJustNow = -1;
   QWidget* makePlots();
   QWidget* makeFoot();
   void connectParts();
-  void choose(FileController::Place place);
+  void choose(FileController::Place place, bool thenOther = false);
   void refresh();
+  void compareWith(const QString& path);
   void showAnswer();
+  std::optional<double> besideLouder_dB() const;
+  void showTold(FileController::Place place);
   void showJudged();
   void showParts();
   void askSpectra(FileController::Place place);
+  void askTyped(FileController::Place place, qint64 nowMs);
+  bool busy() const;
+  QString nameOf(FileController::Place place) const;
   FileMarks marks() const;
   void toggleBeside();
   void toggleSound();
@@ -79,13 +88,14 @@ class FilePage : public Page {
   QWidget* plots_ = nullptr;
   QGridLayout* grid_ = nullptr;
   QHBoxLayout *columns_ = nullptr, *foot_ = nullptr;
-  std::shared_ptr<const FileContents> shown_;     // whose whole is in view_
-  bool judgedShown_ = false;                      // frequencies up to what is judged, once
-  std::array<SpectraRequest, 2> asked_;           // newest spectra asked for
-  std::array<const FileContents*, 2> askedOf_{};  // of this recording
+  std::shared_ptr<const FileContents> shown_;                // whose whole is in view_
+  std::array<std::shared_ptr<const FileContents>, 2> told_;  // whose own numbers are in the fields
+  bool judgedShown_ = false;                                 // frequencies up to what is judged, once
+  std::array<SpectraRequest, 2> asked_;                      // newest spectra asked for
+  std::array<const FileContents*, 2> askedOf_{};             // of this recording
   bool viewMoved_ = false;
-  bool edited_ = false;   // the fields have been, and nobody was asked since
-  qint64 editedMs_ = -1;  // since when; -1: not known yet
+  // When the fields were typed into last, while nobody was asked since.
+  std::array<qint64, 2> editedMs_{kNotEdited, kNotEdited};
   QString soundProblem_;  // as last told
 };
 

@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/base/format.h"
 #include "ui/models/history/spectrum_view.h"
@@ -91,7 +92,8 @@ QString FileSpectrum::reading() const {
   if (bin < beside_.level_dB.size() && beside_.binWidth > 0.0) {
     const auto other = static_cast<std::size_t>(std::clamp<long>(std::lround(cursor->value / beside_.binWidth), 0,
                                                                  static_cast<long>(beside_.level_dB.size()) - 1));
-    text += tr(", beside %1").arg(join(number(static_cast<double>(beside_.level_dB[other]), 1), QStringLiteral("dB")));
+    text +=
+        tr(", compared %1").arg(join(number(static_cast<double>(beside_.level_dB[other]), 1), QStringLiteral("dB")));
   }
   return text;
 }
@@ -164,9 +166,13 @@ void FileSpectrum::paintEvent(QPaintEvent*) {
   p.drawText(QRect(theme_.px(12), 0, width(), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title);
   p.setPen(theme_.colors.text);
   const QString read = reading();
-  p.setFont(theme_.font(type_size::kLabel, true));
-  p.drawText(QRect(theme_.px(12), theme_.px(22), width() - theme_.px(16), theme_.px(22)),
-             Qt::AlignVCenter | Qt::AlignLeft, read);
+  const QRect line(theme_.px(12), theme_.px(22), width() - theme_.px(24), theme_.px(22));
+  if (read.isEmpty() && shown_.beside) {
+    drawNames(p, line);
+  } else {
+    p.setFont(theme_.font(type_size::kLabel, true));
+    p.drawText(line, Qt::AlignVCenter | Qt::AlignLeft, read);
+  }
   p.fillRect(plot, theme_.colors.track);
   if (main_.level_dB.empty()) return;
   const bool order = shown_.look.order && shown_.marks.spindle.value > 0.0;
@@ -183,6 +189,24 @@ void FileSpectrum::paintEvent(QPaintEvent*) {
   p.setPen(QPen(theme_.colors.text, theme_.px(1.5), Qt::DotLine));
   p.setBrush(Qt::NoBrush);
   p.drawRect(plot.adjusted(0, 0, -1, -1));
+}
+
+// Which curve is of which file.
+void FileSpectrum::drawNames(QPainter& p, const QRect& line) const {
+  p.setFont(theme_.font(type_size::kLabel));
+  const int half = line.width() / 2, sample = theme_.px(18), gap = theme_.px(6);
+  int x = line.left();
+  for (const auto& [name, pen] :
+       {std::pair(shown_.name, QPen(theme_.colors.text, theme_.px(2))),
+        std::pair(shown_.besideName, QPen(theme_.colors.advice, theme_.px(2), Qt::DashLine))}) {
+    p.setPen(pen);
+    p.drawLine(x, line.center().y(), x + sample, line.center().y());
+    p.setPen(theme_.colors.text);
+    const QRect words(x + sample + gap, line.top(), half - sample - 2 * gap, line.height());
+    p.drawText(words, Qt::AlignVCenter | Qt::AlignLeft,
+               p.fontMetrics().elidedText(name, Qt::ElideMiddle, words.width()));
+    x += half;
+  }
 }
 
 void FileSpectrum::drawMarks(QPainter& p) const {

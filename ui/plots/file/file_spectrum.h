@@ -27,6 +27,7 @@ class FileSpectrum : public QWidget, public Themed {
     FileLook look;
     FileMarks marks;
     QString unit;
+    QString name, besideName;  // of the files, where there are two
   };
   void display(const Shown& shown);
   // What the harmonic cursor reads; empty: there is none.
@@ -57,6 +58,7 @@ class FileSpectrum : public QWidget, public Themed {
   double frequencyAt(double x) const;
   void moveBy(double right);
   void drawCurve(QPainter& p, const Curve& curve, const QPen& pen) const;
+  void drawNames(QPainter& p, const QRect& line) const;
   void drawMarks(QPainter& p) const;
 
   AnalyseView& view_;
