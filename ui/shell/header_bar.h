@@ -21,6 +21,8 @@ class HeaderBar : public QWidget, public Themed {
   void addPage(const QString& title, const QKeySequence& key, const QString& name);
   void setCurrentPage(int index);
   bool clipped() const override { return clipped_; }
+  // Where it stands that the machine is a simulated one; empty: it is none. In two lines where one has no room.
+  QRectF badgeBox() const { return badgeBox_; }
 
   void applyTheme(const Theme& theme) override;
   QSize sizeHint() const override;
@@ -36,11 +38,13 @@ class HeaderBar : public QWidget, public Themed {
 
  private:
   void placeButtons();
+  double badgeWidth(bool oneLine) const;
 
   Theme theme_;
   QString machine_, tool_, badge_;
   std::vector<TouchButton*> pages_;
   TouchButton* displayButton_;
+  QRectF badgeBox_;
   bool clipped_ = false;
 };
 

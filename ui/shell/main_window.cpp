@@ -87,6 +87,7 @@ MainWindow::MainWindow(SessionFacade& session, std::optional<ThemeKind> theme, s
 }
 
 void MainWindow::build() {
+  setLocale(QLocale());  // this window was made before its language was chosen, and its fields take after it
   auto* centre = new QWidget;
   header_ = new HeaderBar;
   stack_ = new QStackedWidget;

@@ -237,6 +237,25 @@ TEST_F(WindowTest, AnotherSessionShowsItsOwnMachine) {
   EXPECT_TRUE(find<HeaderBar>()->accessibleName().contains(QStringLiteral("Lathe 9")));
 }
 
+// The longest words, on the smallest screens.
+TEST_F(WindowTest, ThatTheMachineIsSimulatedIsSaidOnEveryScreen) {
+  session_.mutableInfo().simulatedMachine = true;
+  for (const QSize size : {QSize(800, 480), QSize(1024, 768), QSize(1280, 800)}) {
+    for (const Language language : kLanguages) {
+      open(size.width(), size.height(), ThemeKind::Light, language);
+      play(0.1);
+      (void)picture();
+      auto* header = find<HeaderBar>();
+      const QRectF badge = header->badgeBox();
+      const auto* first = header->findChild<TouchButton*>(QStringLiteral("page-operate"));
+      EXPECT_GE(badge.left(), 0.0) << size.width() << ' ' << languageCode(language).toStdString();
+      EXPECT_GT(badge.width(), 30.0);
+      EXPECT_LE(badge.right(), first->x()) << size.width() << ' ' << languageCode(language).toStdString();
+      EXPECT_FALSE(header->clipped()) << size.width() << ' ' << languageCode(language).toStdString();
+    }
+  }
+}
+
 TEST_F(WindowTest, F1OpensTheManualAtThePageInEveryLanguageAndLeavesTheBarAlone) {
   for (const Language language : kLanguages) {
     open(1280, 800, ThemeKind::Light, language);
@@ -350,6 +369,9 @@ TEST_F(WindowTest, InGermanNumbersHaveACommaAndSpeedsAreByTheMinute) {
   EXPECT_EQ(significant(3.14), QStringLiteral("3,1"));
   EXPECT_EQ(number(8800), QStringLiteral("8") + kThousandsSpace + QStringLiteral("800"));
   EXPECT_EQ(rpmUnit(), QStringLiteral("1/min"));
+  const auto typed = window_->findChildren<QDoubleSpinBox*>();
+  EXPECT_FALSE(typed.isEmpty());
+  for (const QDoubleSpinBox* box : typed) EXPECT_EQ(box->locale().decimalPoint(), QStringLiteral(","));
   window_.reset();
   EXPECT_EQ(number(0.62, 2), QStringLiteral("0.62"));
 }
