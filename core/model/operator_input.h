@@ -21,7 +21,7 @@ enum class OperatorAction : std::uint8_t {
   ReportChatter,      // "I hear it now": chatter without an alarm
   GrantBySimulation,  // Auto, because the machine exists only in this program
   SetParameter,       // `parameter` to `value`, on the running cut; no authority is asked for
-  UndoMark,           // the newest of the three marks above was not meant
+  UndoMark,           // the mark of the alarm of `value` was not meant; without one the newest mark of a moment
 };
 
 struct OperatorInput {
@@ -30,7 +30,7 @@ struct OperatorInput {
   std::uint32_t advice = 0;  // Accept: the number of the advice that was on screen (Snapshot::adviceNumber)
   // SetParameter: config::parameterId() of the key, and its new value; not a number: automatic.
   std::uint32_t parameter = 0;
-  double value = 0.0;
+  double value = 0.0;  // also of an alarm's mark: when that alarm began [s of the stream]; 0: the newest
 };
 
 }  // namespace stillcut

@@ -8,6 +8,7 @@
 #include "ui/base/say.h"
 #include "ui/models/active_text.h"
 #include "ui/models/advice_view.h"
+#include "ui/models/history/run_history.h"
 #include "ui/models/named_chatter.h"
 #include "ui/models/simulation_over.h"
 
@@ -291,10 +292,13 @@ CommandView makeCommandView(const Picture& picture) {
 }
 
 NewestAlarm makeNewestAlarm(const Picture& picture) {
-  if (!picture.snapshot || picture.snapshot->interventionCount == 0) return {};
+  const auto judged = [&](Instant began) {
+    return picture.history != nullptr ? picture.history->marks().of(began) : AlarmJudgement::None;
+  };
+  if (!picture.snapshot || picture.snapshot->interventionCount == 0) return {0, {}, {}, judged({})};
   const Snapshot& s = *picture.snapshot;
   const Intervention& newest = s.interventions[(s.interventionCount - 1) % kInterventionsShown];
-  return {s.interventionCount, clockTime(picture.info->wallMs(newest.began))};
+  return {s.interventionCount, clockTime(picture.info->wallMs(newest.began)), newest.began, judged(newest.began)};
 }
 
 std::vector<CardView> makeCards(const Picture& picture) {

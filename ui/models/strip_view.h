@@ -6,6 +6,7 @@
 
 #include "ui/base/theme.h"
 #include "ui/facade/session_info.h"
+#include "ui/models/alarm_marks.h"
 #include "ui/models/verdict_view.h"
 
 namespace stillcut::ui {
@@ -54,6 +55,8 @@ struct CardView {
 struct NewestAlarm {
   quint64 count = 0;  // alarms so far
   QString time;       // "14:00:03"; empty: there was none
+  Instant began{};
+  AlarmJudgement judged = AlarmJudgement::None;
   bool operator==(const NewestAlarm&) const = default;
 };
 

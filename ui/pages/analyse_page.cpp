@@ -75,6 +75,7 @@ AnalysePage::AnalysePage(QWidget* parent)
     view_.goTo(t);
     view_.setCursor(AnalyseView::A, t);
   });
+  connect(events_, &EventPanel::judged, this, &Page::asked);
   connect(&view_, &AnalyseView::changed, this, [this] {
     if (view_.options() == told_) return;
     told_ = view_.options();
@@ -149,12 +150,16 @@ void AnalysePage::showEvents(const Picture& picture) {
   if (!events) return;
   const EventLog& log = picture.history->log();
   machine_->display(&log.machine(), picture.history->end(), picture.units);
-  if (log.version() == eventsShown_ && picture.units == eventUnits_) return;
-  eventsShown_ = log.version();
+  events_->setJudging(!picture.over());
+  // In a replay there is nothing to judge.
+  const AlarmMarks* marks = picture.replay ? nullptr : &picture.history->marks();
+  const std::uint64_t version = log.version() + (marks != nullptr ? marks->version() : 0);  // both only grow
+  if (version == eventsShown_ && picture.units == eventUnits_) return;
+  eventsShown_ = version;
   eventUnits_ = picture.units;
   const std::vector<RunEvent> all(log.events().begin(), log.events().end());
   events_->display(
-      all, [&info = *picture.info](Instant t) { return info.wallMs(t); }, picture.units);
+      all, [&info = *picture.info](Instant t) { return info.wallMs(t); }, picture.units, marks);
 }
 
 void AnalysePage::restart() {

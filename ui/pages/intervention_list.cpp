@@ -36,8 +36,8 @@ InterventionList::InterventionList(QWidget* parent)
     button->setBaseHeight(44);
   }
   connect(hear_, &TouchButton::clicked, this, &InterventionList::hear);
-  connect(wasTrue_, &TouchButton::clicked, this, [this] { judge(Judgement::True); });
-  connect(wasFalse_, &TouchButton::clicked, this, [this] { judge(Judgement::False); });
+  connect(wasTrue_, &TouchButton::clicked, this, [this] { judge(AlarmJudgement::Chatter); });
+  connect(wasFalse_, &TouchButton::clicked, this, [this] { judge(AlarmJudgement::False); });
   for (int k = 0; k < kInterventionsShown; ++k) widgets_.push_back(new InterventionCard(this));
 }
 
@@ -46,11 +46,6 @@ void InterventionList::display(const std::vector<CardView>& cards, const NewestA
   if (cards == cards_ && newest == newest_ && event == event_ && live == live_ && alarming == alarming_ &&
       answerable == answerable_) {
     return;
-  }
-  const bool newAlarm = (alarming && !alarming_) || newest.count != newest_.count;
-  if (newAlarm) {
-    judgement_ = Judgement::None;
-    judgedForGood_ = false;
   }
   cards_ = cards;
   newest_ = newest;
@@ -68,37 +63,30 @@ void InterventionList::display(const std::vector<CardView>& cards, const NewestA
 }
 
 // The same touch again takes the mark back, the other one takes its place: an alarm is counted once.
-void InterventionList::judge(Judgement touched) {
-  if (judgement_ != Judgement::None) emit asked({OperatorAction::UndoMark, Authority::Off});
-  judgement_ = touched == judgement_ ? Judgement::None : touched;
-  heard_ = false;  // for good as well
-  if (judgement_ != Judgement::None) {
-    const bool wasChatter = judgement_ == Judgement::True;
-    emit asked({wasChatter ? OperatorAction::TrueAlarm : OperatorAction::FalseAlarm, Authority::Off});
-  }
+void InterventionList::judge(AlarmJudgement touched) {
+  emit asked(judgeAlarm(newest_.began, touched, newest_.judged));
+  newest_.judged = touched == newest_.judged ? AlarmJudgement::None : touched;
   showJudgement();
 }
 
-// Only the newest mark can be taken back: a judgement of the alarm before is for good from now on.
 void InterventionList::hear() {
-  judgedForGood_ = judgedForGood_ || judgement_ != Judgement::None;
   emit asked({heard_ ? OperatorAction::UndoMark : OperatorAction::ReportChatter, Authority::Off});
   heard_ = !heard_;
   showJudgement();
 }
 
 void InterventionList::showJudgement() {
-  const bool judgeable = answerable_ && !judgedForGood_ && (alarming_ || newest_.count > 0);
+  const bool judgeable = answerable_ && (alarming_ || newest_.count > 0);
   wasTrue_->setEnabled(judgeable);
   wasFalse_->setEnabled(judgeable);
-  wasTrue_->setChecked(judgement_ == Judgement::True);
-  wasFalse_->setChecked(judgement_ == Judgement::False);
+  wasTrue_->setChecked(newest_.judged == AlarmJudgement::Chatter);
+  wasFalse_->setChecked(newest_.judged == AlarmJudgement::False);
   hear_->setChecked(heard_);
   // Which alarm is meant, by its time; and how to take the mark back.
   const QString meant = newest_.time.isEmpty() || !judgeable ? QString() : QStringLiteral(", ") + newest_.time;
   const auto hint = [&](bool marked, const QString& key) { return marked ? tr("%1 undoes it").arg(key) : key; };
-  wasTrue_->setHint(hint(judgement_ == Judgement::True, QStringLiteral("F9")) + meant);
-  wasFalse_->setHint(hint(judgement_ == Judgement::False, QStringLiteral("F10")) + meant);
+  wasTrue_->setHint(hint(newest_.judged == AlarmJudgement::Chatter, QStringLiteral("F9")) + meant);
+  wasFalse_->setHint(hint(newest_.judged == AlarmJudgement::False, QStringLiteral("F10")) + meant);
   hear_->setHint(hint(heard_, QStringLiteral("F8")));
 }
 

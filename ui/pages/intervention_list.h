@@ -20,7 +20,7 @@ class InterventionList : public QWidget, public Themed {
   explicit InterventionList(QWidget* parent = nullptr);
 
   // `live`: samples come in. `alarming`: an alarm is on right now, which can be judged before there is a card.
-  // `answerable`: not of a replay.
+  // `answerable`: neither of a replay nor of a run that is over, whose recording is closed.
   void display(const std::vector<CardView>& cards, const NewestAlarm& newest, const EventLine& event, bool live,
                bool alarming, bool answerable = true);
   int shownCards() const;
@@ -38,9 +38,7 @@ class InterventionList : public QWidget, public Themed {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum class Judgement { None, True, False };
-
-  void judge(Judgement touched);
+  void judge(AlarmJudgement touched);
   void hear();
   void showJudgement();
   void place();
@@ -58,9 +56,7 @@ class InterventionList : public QWidget, public Themed {
   bool live_ = false;
   bool alarming_ = false, answerable_ = true;
   bool clipped_ = false;
-  Judgement judgement_ = Judgement::None;  // of the newest alarm; one mark of it stands at most
   bool heard_ = false;
-  bool judgedForGood_ = false;  // another mark came after it, and only the newest can be taken back
 };
 
 }  // namespace stillcut::ui

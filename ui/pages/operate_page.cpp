@@ -89,7 +89,7 @@ void OperatePage::display(const Picture& picture) {
   const bool live = picture.snapshot && !picture.stale && !picture.over() && picture.snapshot->running;
   const bool alarming = live && picture.verdict().alarming();
   interventions_->display(makeCards(picture), makeNewestAlarm(picture), makeEventLine(picture), live, alarming,
-                          !picture.replay);
+                          !picture.replay && !picture.over());
   showBars(picture);
   showSpectrogram(picture);
 }

@@ -143,7 +143,10 @@ void MainWindow::addPages() {
     connect(page, &Page::manualAsked, this, &MainWindow::openManual);
     connect(page, &Page::againAsked, this, &MainWindow::runAgain);
     connect(page, &Page::stateChanged, this, [this] { stateChanged_ = true; });
-    connect(page, &Page::asked, this, [this](const OperatorInput& input) { session_.send(input, generation_); });
+    connect(page, &Page::asked, this, [this](const OperatorInput& input) {
+      history_.note(input);
+      session_.send(input, generation_);
+    });
   }
   state_.restore(pages_);
   showPage(0);

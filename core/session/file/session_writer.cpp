@@ -89,7 +89,9 @@ struct SessionWriter::Impl {
   std::uint64_t steps = 0;
   std::uint64_t frames = 0;
   std::uint64_t markerCount = 0;
-  std::optional<MarkerRow> mark;  // the newest that the operator's touch made, unless it was taken back
+  std::optional<MarkerRow> mark;  // the newest of a moment that the operator's touch made, unless it was taken back
+  std::vector<std::pair<double, MarkerRow>> alarmMarks;  // those of an alarm, with OperatorInput::value
+  Instant begin{};
   Instant flushedUpTo{};
   bool closed = false;
 
@@ -136,15 +138,34 @@ struct SessionWriter::Impl {
     if (row) markers.add(*row);
     return row;
   }
-  void setMark(const Marker& marker) {
-    mark.reset();
-    if (const auto row = addMarker(marker)) mark = *row;
+  void setMark(const char* label, double alarm_s, Instant now) {
+    if (!(alarm_s > 0.0)) {
+      mark.reset();
+      if (const auto row = addMarker({0, now, now, label, author, "", 0})) mark = *row;
+      return;
+    }
+    undoMark(alarm_s);  // an alarm is counted once
+    // A little later, so that it is the alarm that has begun last. One before this recording is in another.
+    if (!(alarm_s < sinceEpoch(now).value)) return;
+    const Instant about = Instant{} + toDuration(Seconds(alarm_s)) + std::chrono::milliseconds(1);
+    if (about < begin) return;
+    if (const auto row = addMarker({0, about, about, label, author, "", 0})) alarmMarks.emplace_back(alarm_s, *row);
   }
-  void undoMark() {
-    if (!mark) return;
-    mark->removed = 1;
-    markers.add(*mark);
-    mark.reset();
+  void undoMark(double alarm_s) {
+    if (!(alarm_s > 0.0)) {
+      if (mark) removeMark(*mark);
+      mark.reset();
+      return;
+    }
+    std::erase_if(alarmMarks, [&](auto& made) {
+      if (made.first != alarm_s) return false;
+      removeMark(made.second);
+      return true;
+    });
+  }
+  void removeMark(MarkerRow row) {
+    row.removed = 1;
+    markers.add(row);
   }
   bool close() {
     closed = true;
@@ -230,14 +251,15 @@ Status SessionWriter::add(const StepInput& input, const StepOutput& output) {
   w.blocks.add(row);
   if (w.segmentFinder.begins(row)) w.segments.add({step, row.offset, row.firstSample, row.rate});
   w.frames += static_cast<std::uint64_t>(row.frames);
+  if (step == 0) w.begin = block.firstSample;
   w.machine.add(toRow(input.machine));
   w.decisions.add(toRow(output));
   for (int i = 0; i < input.inputCount; ++i) {
     const OperatorInput& asked = input.inputs[static_cast<std::size_t>(i)];
     w.inputs.add(toRow(asked, step));
     // Whatever became of it, the touch is among the inputs, and the recording goes on.
-    if (const char* label = labelOf(asked.action)) w.setMark({0, block.end(), block.end(), label, w.author, "", 0});
-    if (asked.action == OperatorAction::UndoMark) w.undoMark();
+    if (const char* label = labelOf(asked.action)) w.setMark(label, asked.value, block.end());
+    if (asked.action == OperatorAction::UndoMark) w.undoMark(asked.value);
   }
   for (int i = 0; i < output.verdictCount; ++i) {
     w.verdicts.add(toRow(output.verdicts[static_cast<std::size_t>(i)], i, step));

@@ -188,6 +188,7 @@ TEST_F(UiTest, WhereNothingHappenedAtThatTimeTheNearestIsChosen) {
 class EventsPage : public WindowTest {
  protected:
   QListView& list(const char* name) const { return *find<QListView>(QLatin1String(name)); }
+  const OperatorInput& lastSent() const { return session_.sent().back(); }
 };
 
 TEST_F(EventsPage, AnalyseListsWhatHappenedAndATouchGoesThere) {
@@ -239,6 +240,53 @@ TEST_F(EventsPage, ARecordingTellsWhatHappenedInItAndGoesThere) {
   QTest::mouseClick(events.viewport(), Qt::LeftButton, {}, events.visualRect(second).center());
   const double gone = desk.replay().position.value;
   EXPECT_TRUE(std::abs(gone - 8.0) < 0.01 || std::abs(gone - 21.0) < 0.01) << gone;
+}
+
+// Also one long ago; on Operate the newest stands as it was marked here.
+TEST_F(EventsPage, AnyAlarmOfTheListIsMarkedAndTheMarkTakenBack) {
+  Snapshot& s = session_.snapshot();
+  s.eventCount = 0;
+  open();
+  play(2.0);
+  const Instant first = s.time - toDuration(Seconds(1.5)), second = s.time - toDuration(Seconds(0.5));
+  for (const Instant began : {first, second})
+    s.events[s.eventCount++ % kEventsShown] = {
+        .time = began, .level = EventLevel::Warning, .reason = {ReasonCode::ChatterBegan, {912.0, 0.4}}};
+  play(0.1);
+  window_->showPage(QStringLiteral("analyse"));
+  press("events");
+  play(0.1);
+  EXPECT_FALSE(find<TouchButton>("analyse-events-was-false")->isEnabled()) << "no alarm is chosen";
+  QListView& events = list("analyse-events");
+  const auto rowOf = [&](Instant began) {
+    for (int row = 0; row < events.model()->rowCount(); ++row) {
+      const QModelIndex index = events.model()->index(row, 0);
+      if (index.data().toString().startsWith(clockTime(session_.info().wallMs(began)))) return index;
+    }
+    return QModelIndex();
+  };
+  QTest::mouseClick(events.viewport(), Qt::LeftButton, {}, events.visualRect(rowOf(first)).center());
+  press("analyse-events-was-false");
+  EXPECT_EQ(lastSent().action, OperatorAction::FalseAlarm);
+  EXPECT_EQ(lastSent().value, sinceEpoch(first).value);
+  play(0.1);
+  EXPECT_TRUE(rowOf(first).data().toString().contains("false alarm"));
+  EXPECT_FALSE(rowOf(second).data().toString().contains("false alarm"));
+  EXPECT_TRUE(find<TouchButton>("analyse-events-was-false")->isChecked());
+  press("analyse-events-was-true");
+  EXPECT_EQ(lastSent().action, OperatorAction::TrueAlarm);
+  EXPECT_EQ(lastSent().value, sinceEpoch(first).value);
+  press("analyse-events-was-true");
+  EXPECT_EQ(lastSent().action, OperatorAction::UndoMark);
+  EXPECT_EQ(lastSent().value, sinceEpoch(first).value);
+  play(0.1);
+  EXPECT_FALSE(rowOf(first).data().toString().contains("marked"));
+  session_.mutableLink().ended = QStringLiteral("The run has ended");
+  play(0.1);
+  EXPECT_FALSE(find<TouchButton>("analyse-events-was-true")->isEnabled()) << "its recording is closed";
+  window_->showPage(QStringLiteral("operate"));
+  play(0.1);
+  EXPECT_FALSE(find<TouchButton>("was-true")->isEnabled());
 }
 
 TEST_F(EventsPage, ARunThatIsOverAndCanBeRunAgainSaysSo) {

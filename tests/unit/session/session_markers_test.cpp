@@ -21,9 +21,9 @@ using testing::HasSubstr;
 
 constexpr std::int64_t kMade = 1'700'000'000'000'000'000;  // 2023-11-14T22:13:20Z
 
-// Ten blocks of 2.5 ms from 1 s on, with these touches in block 4.
-std::string touched(const TempFolder& folder, const std::vector<OperatorAction>& actions,
-                    const std::string& operatorName = "Grace") {
+// Ten blocks of 2.5 ms from 1 s on, with these touches from block 4 on, four in each.
+std::string recordingOf(const TempFolder& folder, const std::vector<OperatorInput>& touches,
+                        const std::string& operatorName = "Grace") {
   std::string path = folder / "cut.h5";
   SessionHeader header = exampleHeader();
   header.operatorName = operatorName;
@@ -36,15 +36,21 @@ std::string touched(const TempFolder& folder, const std::vector<OperatorAction>&
   for (int i = 0; i < 10; ++i) {
     step.input.block.firstSample = instantFromNs(1'000'000'000 + i * 2'500'000);
     step.input.inputCount = 0;
-    if (i == 4) {
-      for (const OperatorAction action : actions) {
-        step.input.inputs[static_cast<std::size_t>(step.input.inputCount++)] = {action, Authority::Off};
-      }
+    for (std::size_t k = 0; i >= 4 && k < kMaxInputsPerStep; ++k) {
+      const std::size_t touch = static_cast<std::size_t>(i - 4) * kMaxInputsPerStep + k;
+      if (touch < touches.size()) step.input.inputs[static_cast<std::size_t>(step.input.inputCount++)] = touches[touch];
     }
     EXPECT_TRUE((*writer)->add(step.input, step.output).ok());
   }
   EXPECT_TRUE((*writer)->close().ok());
   return path;
+}
+
+std::string touched(const TempFolder& folder, const std::vector<OperatorAction>& actions,
+                    const std::string& operatorName = "Grace") {
+  std::vector<OperatorInput> touches;
+  for (const OperatorAction action : actions) touches.push_back({action, Authority::Off});
+  return recordingOf(folder, touches, operatorName);
 }
 
 TEST(Markers, ATouchDuringTheCutIsKeptWithItsTimeAndItsAuthor) {
@@ -80,6 +86,27 @@ TEST(Markers, OneUndoTakesBackOneTouch) {
   ASSERT_TRUE(markers.ok()) << markers.error().line();
   ASSERT_EQ(markers->size(), 1U) << "the older one may be of an alarm long ago";
   EXPECT_EQ(markers.value()[0].label, "true-alarm");
+}
+
+// The alarm that began at 1.005 s, in the second block, with later marks of other things between.
+TEST(Markers, AnAlarmHasOneMarkWheneverItIsMade) {
+  const TempFolder folder;
+  const auto of = [](OperatorAction action, double alarm_s) {
+    OperatorInput input;
+    input.action = action;
+    input.value = alarm_s;
+    return input;
+  };
+  const auto markers =
+      readMarkers(recordingOf(folder, {of(OperatorAction::FalseAlarm, 1.005), of(OperatorAction::TrueAlarm, 1.0075),
+                                       of(OperatorAction::ReportChatter, 0.0), of(OperatorAction::TrueAlarm, 1.005),
+                                       of(OperatorAction::UndoMark, 1.0075), of(OperatorAction::FalseAlarm, 0.5),
+                                       of(OperatorAction::FalseAlarm, 1e300), of(OperatorAction::UndoMark, 3.0)}));
+  ASSERT_TRUE(markers.ok()) << markers.error().line();
+  ASSERT_EQ(markers->size(), 2U) << "of no alarm before this recording or after now";
+  EXPECT_EQ(markers.value()[1].label, "heard");
+  EXPECT_EQ(markers.value()[0].label, "true-alarm");
+  EXPECT_EQ(toNs(markers.value()[0].begin), 1'006'000'000) << "just after it began, so that it is the one begun last";
 }
 
 // 22 letters of three bytes each are more than a marker has room for.

@@ -7,16 +7,34 @@
 #include <iterator>
 
 #include "ui/base/format.h"
+#include "ui/base/say.h"
 
 namespace stillcut::ui {
+namespace {
+
+QString judgementText(AlarmJudgement judged) {
+  switch (judged) {
+    case AlarmJudgement::Chatter:
+      return say(", marked: was chatter");
+    case AlarmJudgement::False:
+      return say(", marked: false alarm");
+    case AlarmJudgement::None:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
 
 void EventListModel::show(const std::vector<RunEvent>& events, const std::function<qint64(Instant)>& wallMs,
-                          UnitSystem units) {
+                          UnitSystem units, const AlarmMarks* marks) {
   std::vector<Row> rows;
   rows.reserve(events.size());
   for (const RunEvent& event : events) {
     const qint64 wall = wallMs(event.time);
-    rows.push_back({event, QStringLiteral("%1  %2").arg(clockTime(wall), eventSentence(event, units)), wall});
+    QString text = QStringLiteral("%1  %2").arg(clockTime(wall), eventSentence(event, units));
+    if (marks != nullptr && isAlarm(event)) text += judgementText(marks->of(event.time));
+    rows.push_back({event, text, wall});
   }
   dropOldest(rows);
   const auto sameText = [](const Row& a, const Row& b) { return a.text == b.text; };

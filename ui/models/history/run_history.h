@@ -1,11 +1,13 @@
 // What the screens remember of a run, since the snapshot holds only the newest: spectrogram columns, what every
-// detector said, the working points. Fed at every display tick. Plain values, GUI thread.
+// detector said, the working points, what the operator said of its alarms. Fed at every display tick. Plain values, GUI
+// thread.
 #pragma once
 
 #include <deque>
 #include <vector>
 
 #include "ui/facade/session_info.h"
+#include "ui/models/alarm_marks.h"
 #include "ui/models/history/event_log.h"
 #include "ui/models/history/spectrum_column_reader.h"
 
@@ -37,6 +39,8 @@ class RunHistory {
 
   void see(const Snapshot& snapshot);
   void clear();
+  // What somebody touched.
+  void note(const OperatorInput& input) { marks_.note(input); }
 
   // All of one channel.
   const std::deque<SpectrumColumn>& columns() const { return columns_; }
@@ -46,6 +50,7 @@ class RunHistory {
   const std::deque<WorkingPoint>& points() const { return points_; }
   // What happened, and the machine's numbers: kept for hours.
   const EventLog& log() const { return log_; }
+  const AlarmMarks& marks() const { return marks_; }
   Hertz spectrumTop() const { return top_; }
   bool empty() const { return columns_.empty() && tracks_.empty(); }
   Instant begin() const;
@@ -63,6 +68,7 @@ class RunHistory {
   std::vector<std::deque<TrackPoint>> tracks_;
   std::deque<WorkingPoint> points_;
   EventLog log_;
+  AlarmMarks marks_;
   std::uint64_t number_ = 0;
   std::uint64_t gaps_ = 0;
   Hertz top_{};
