@@ -22,6 +22,36 @@ TEST_F(SetupPageTest, LimitsOfTheMachineAreSetOnTheScreenAndSavedInTheProfile) {
   EXPECT_DOUBLE_EQ(limits->lowestSpeed.value, 0.825);
 }
 
+// Set up, LIMITS, a field, START.
+TEST_F(SetupPageTest, LimitsAreInForceInFourTouchesAlsoWithoutAName) {
+  controller_.kept[QStringLiteral("machine")] = {};
+  openSetup();
+  EXPECT_FALSE(find<TouchButton>("setup-start")->isVisible()) << "nothing was changed";
+  press("setup-limits");
+  auto* edit = find<QLineEdit>("gate.highest-speed");
+  edit->setFocus();
+  QTest::keyClicks(edit, QStringLiteral("9000"));
+  ASSERT_TRUE(find<TouchButton>("setup-start")->isVisible());
+  press("setup-start");
+  EXPECT_EQ(controller_.inForce, QStringLiteral("machine-2")) << "nobody's profile is written over";
+  const config::Profile& kept = controller_.kept.at(QStringLiteral("machine-2"));
+  EXPECT_EQ(config::checkOverrideLimits(kept.params, kept.cut, "test")->fastest, Rpm(9'000.0));
+  EXPECT_EQ(window_->currentPage(), QStringLiteral("operate"));
+  window_->showPage(QStringLiteral("setup"));
+  EXPECT_FALSE(find<TouchButton>("setup-start")->isVisible()) << "it is in force";
+}
+
+TEST_F(SetupPageTest, AStartThatFailsSaysWhyOnTheTabOfProfiles) {
+  openSetup();
+  press("setup-limits");
+  type(QStringLiteral("gate.highest-speed"), QStringLiteral("9000"));
+  controller_.refuse = true;
+  press("setup-start");
+  EXPECT_EQ(window_->currentPage(), QStringLiteral("setup"));
+  EXPECT_TRUE(find<TouchButton>("setup-profile")->isChecked());
+  EXPECT_TRUE(told(QStringLiteral("under our authority")));
+}
+
 TEST_F(SetupPageTest, LimitsThatCrossOrAreOutOfRangeAreSaidByTheirLabels) {
   openSetup();
   press("setup-limits");

@@ -1,6 +1,7 @@
 #include "ui/pages/setup/setup_page.h"
 
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QSettings>
 #include <QStackedWidget>
 #include <algorithm>
@@ -31,15 +32,17 @@ SetupPage::SetupPage(SetupController* controller, QWidget* parent)
   }
   if (const auto begun = controller->keptDraft()) {
     draft_.open(*begun, {});
+    waits_ = true;
   } else {
     // What the demonstration cuts is nothing that anybody has said of this machine.
     config::Profile running = controller->draft();
     if (controller->profileInForce().isEmpty()) running.cut = {};
     draft_.open(running, controller->profileInForce());
   }
+  auto* profile = new SetupProfile(*controller, draft_);
   tabs_ = {new SetupGuide(*controller, draft_),     new SetupMachine(*controller, draft_),
            new SetupSensors(*controller, draft_),   new SetupTools(*controller, draft_),
-           new SetupRecording(*controller, draft_), new SetupProfile(*controller, draft_),
+           new SetupRecording(*controller, draft_), profile,
            new SetupLimits(*controller, draft_)};
   const struct {
     QString caption;
@@ -62,16 +65,31 @@ SetupPage::SetupPage(SetupController* controller, QWidget* parent)
     connect(tab, &SetupTab::tabAsked, this, &SetupPage::showTab);
     connect(tab, &SetupTab::manualAsked, this, &Page::manualAsked);
     connect(tab, &SetupTab::fileAsked, this, [this] { emit fileAsked({}); });
-    connect(tab, &SetupTab::started, this, [this] { emit pageAsked(QStringLiteral("operate")); });
+    connect(tab, &SetupTab::started, this, [this] {
+      setWaits(false);
+      emit pageAsked(QStringLiteral("operate"));
+    });
   }
+  start_ = new TouchButton(tr("START"), TouchButton::Look::Advice);
+  start_->setObjectName(QStringLiteral("setup-start"));
+  start_->setAccessibleName(tr("Save what was changed and begin with it"));
+  start_->setBaseHeight(62);
+  choices_->addWidget(start_);
+  connect(start_, &TouchButton::clicked, this, [this, profile] {
+    start_->setFocus(Qt::MouseFocusReason);                   // what is being typed counts
+    if (!profile->startUnderAnyName()) showTab(kProfileTab);  // which says why
+  });
   choices_->addStretch(1);
   line->addLayout(choices_);
   line->addWidget(stack_, 1);
   connect(&draft_, &SetupDraft::changed, this, [this] {
     for (SetupTab* tab : tabs_) tab->refresh();
     controller_->keepDraft(draft_.profile());
+    setWaits(true);
     emit stateChanged();
   });
+  for (const QLineEdit* edit : tabs_.back()->findChildren<QLineEdit*>())
+    connect(edit, &QLineEdit::textEdited, this, [this] { setWaits(true); });
   showTab(firstTab(0));
 }
 
@@ -81,8 +99,19 @@ int SetupPage::firstTab(int kept) const {
   return kept == 0 && runs ? kProfileTab : kept;
 }
 
+void SetupPage::setWaits(bool waits) {
+  waits_ = waits;
+  showStart();
+}
+
+// From every tab but the one that has it.
+void SetupPage::showStart() {
+  if (start_ != nullptr) start_->setVisible(waits_ && stack_->currentIndex() != kProfileTab);
+}
+
 void SetupPage::showTab(int tab) {
   stack_->setCurrentIndex(tab);
+  showStart();
   for (std::size_t k = 0; k < buttons_.size(); ++k) buttons_[k]->setChecked(static_cast<int>(k) == tab);
   emit stateChanged();
 }
@@ -94,7 +123,9 @@ void SetupPage::see(const Picture&) {
 
 void SetupPage::display(const Picture& picture) {
   if (controller_ == nullptr) return;
-  draft_.setUnits(picture.units);
+  const bool waited = waits_;
+  draft_.setUnits(picture.units);  // the same in other words
+  if (waits_ != waited) setWaits(waited);
   tabs_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
 }
 

@@ -28,6 +28,8 @@ class SetupPage : public Page {
   void restore(const QSettings& settings) override;
 
   void showTab(int tab);
+  void setWaits(bool waits);
+  void showStart();
   int firstTab(int kept) const;
 
  private:
@@ -37,6 +39,8 @@ class SetupPage : public Page {
   QVBoxLayout* choices_ = nullptr;
   std::vector<SetupTab*> tabs_;
   std::vector<TouchButton*> buttons_;
+  TouchButton* start_ = nullptr;
+  bool waits_ = false;  // what was changed is not in force
 };
 
 }  // namespace stillcut::ui

@@ -81,14 +81,7 @@ SetupProfile::SetupProfile(SetupController& controller, SetupDraft& draft, QWidg
     tell(saved ? Status(Done{}) : Status(saved.error()), saved ? tr("Saved: %1").arg(saved.value()) : QString());
     refresh();
   });
-  connect(start_, &TouchButton::clicked, this, [this] {
-    draft_.setName(name_->text().trimmed());
-    const auto saved = controller_.save(draft_.profile(), draft_.name());
-    const Status begun = saved ? controller_.start(draft_.name()) : Status(saved.error());
-    tell(begun, tr("It runs. Authority is Off."));
-    refresh();
-    if (begun) emit started();
-  });
+  connect(start_, &TouchButton::clicked, this, &SetupProfile::start);
   connect(load_, &TouchButton::clicked, this, [this] {
     if (known_->currentItem() == nullptr) return;
     const QString shipped = known_->currentItem()->data(Qt::UserRole).toString();
@@ -98,6 +91,26 @@ SetupProfile::SetupProfile(SetupController& controller, SetupDraft& draft, QWidg
     tell(profile ? Status(Done{}) : Status(profile.error()), tr("Loaded: %1").arg(name));
   });
   SetupProfile::refresh();
+}
+
+bool SetupProfile::start() {
+  draft_.setName(name_->text().trimmed());
+  const auto saved = controller_.save(draft_.profile(), draft_.name());
+  const Status begun = saved ? controller_.start(draft_.name()) : Status(saved.error());
+  tell(begun, tr("It runs. Authority is Off."));
+  refresh();
+  if (begun) emit started();
+  return begun.ok();
+}
+
+// Nobody's own profile is written over.
+bool SetupProfile::startUnderAnyName() {
+  const QString base = QStringLiteral("machine");
+  QString name = base;
+  const QStringList taken = controller_.profiles();
+  for (int k = 2; taken.contains(name); ++k) name = QStringLiteral("%1-%2").arg(base).arg(k);
+  if (name_->text().trimmed().isEmpty()) name_->setText(name);
+  return start();
 }
 
 void SetupProfile::addChoices(QBoxLayout* column, const QString& title, const std::vector<ComponentOption>& options,

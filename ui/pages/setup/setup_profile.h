@@ -16,6 +16,10 @@ class SetupProfile : public SetupTab {
   SetupProfile(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
   void applyTheme(const Theme& theme) override;
+  // Saves the profile and begins with it; false: the tab says why not.
+  bool start();
+  // The same; one without a name gets one.
+  bool startUnderAnyName();
 
  private:
   void addChoices(QBoxLayout* column, const QString& title, const std::vector<ComponentOption>& options,
