@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <system_error>
 #include <vector>
 
@@ -36,6 +37,12 @@ LearnedLobes failed(const Error& error) {
   return answer;
 }
 
+// What is clamped otherwise is another tool. An empty field of the filter would take all of them.
+bool clampedAlike(const learn::Assembly& a, const learn::Assembly& b) {
+  constexpr double kAlike_m = 0.5e-3;
+  return a.holder == b.holder && std::abs(a.stickOut.value - b.stickOut.value) <= kAlike_m;
+}
+
 // Empty where nothing has been kept so far: the first judged cut makes the file.
 Result<std::vector<learn::CutEvidence>> cutsOf(const LearnedWorker::Work& work) {
   std::error_code unknown;
@@ -43,7 +50,9 @@ Result<std::vector<learn::CutEvidence>> cutsOf(const LearnedWorker::Work& work) 
   const auto store = learn::EvidenceStore::openToRead(work.store);
   if (!store) return store.error();
   const learn::Assembly& a = work.cut->assembly;
-  return store->cuts({a.machine, a.tool, a.holder, {}});
+  auto cuts = store->cuts({a.machine, a.tool, a.holder, {}});
+  if (cuts) std::erase_if(*cuts, [&a](const learn::CutEvidence& cut) { return !clampedAlike(cut.assembly, a); });
+  return cuts;
 }
 
 learn::MapRequest requestOf(const LearnedWorker::Work& work) {

@@ -4,6 +4,7 @@
 
 #include "core/config/override_limits.h"
 #include "tests/ui/support/setup_fixture.h"
+#include "ui/models/setup_draft.h"
 
 namespace stillcut::ui {
 namespace {
@@ -42,6 +43,23 @@ TEST_F(SetupPageTest, SpeedPitchAndModesOfAToolGoIntoTheProfileAndLeaveWithIt) {
   EXPECT_EQ(without.model, "") << "the modes of this one are not known";
   EXPECT_TRUE(without.pitch.empty());
   EXPECT_TRUE(without.params.isAutomatic(config::kToolSpeed)) << "no limit is said of this one";
+}
+
+// What is learned of a tool is found again by this name.
+TEST_F(SetupPageTest, AToolThatSticksOutOtherwiseIsAnotherTool) {
+  ToolEntry shorter, longer, said;
+  shorter.name = longer.name = said.name = QStringLiteral("T12");
+  shorter.stickOut_mm = said.stickOut_mm = 48.0;
+  longer.stickOut_mm = 60.5;
+  said.holder = QStringLiteral("HSK63, stick-out 48");
+  SetupDraft draft;
+  const auto named = [&](const ToolEntry& tool) {
+    draft.useTool(tool);
+    return draft.profile().cut.tool;
+  };
+  EXPECT_EQ(named(shorter), "T12 stick-out 48");
+  EXPECT_EQ(named(longer), "T12 stick-out 60.5");
+  EXPECT_EQ(named(said), "T12 HSK63, stick-out 48") << "the shop says it itself";
 }
 
 TEST_F(SetupPageTest, APitchThatDoesNotGoOnceAroundIsNotKept) {

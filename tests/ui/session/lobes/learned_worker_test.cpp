@@ -78,12 +78,17 @@ TEST_F(LearnedFromCuts, SaysWhenNothingIsKeptAndMakesNoFile) {
   EXPECT_EQ(answerOf(silent)->state, State::NotDescribed);
 }
 
-TEST_F(LearnedFromCuts, CutsOfThisToolCountAndAdviceKeepsWithinReach) {
+TEST_F(LearnedFromCuts, CutsOfThisToolAsItIsClampedCountAndAdviceKeepsWithinReach) {
   keep(cutAt(Rpm(8000), Metres(1e-3), false));
   keep(cutAt(Rpm(8600), Metres(3.5e-3), true));
   learn::CutEvidence other = cutAt(Rpm(8600), Metres(1e-3), true);
   other.assembly.tool = "T13";
   keep(other);
+  learn::CutEvidence longer = cutAt(Rpm(8600), Metres(1e-3), true), shrunk = longer;
+  longer.assembly.stickOut = Metres(60e-3);
+  keep(longer);
+  shrunk.assembly.holder = "HSK63 shrink-fit";
+  keep(shrunk);
   LearnedWorker worker(work());
   const auto learned = answerOf(worker);
   ASSERT_EQ(learned->state, State::Known) << learned->problem.toStdString();
