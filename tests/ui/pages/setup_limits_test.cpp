@@ -52,6 +52,22 @@ TEST_F(SetupPageTest, AStartThatFailsSaysWhyOnTheTabOfProfiles) {
   EXPECT_TRUE(told(QStringLiteral("under our authority")));
 }
 
+TEST_F(SetupPageTest, NothingStartsWithoutTheLimitThatWasTyped) {
+  openSetup();
+  press("setup-limits");
+  auto* edit = find<QLineEdit>("gate.highest-speed-override");
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, QStringLiteral("9000"));
+  press("setup-start");
+  EXPECT_TRUE(controller_.inForce.isEmpty());
+  EXPECT_TRUE(find<TouchButton>("setup-limits")->isChecked());
+  EXPECT_FALSE(find<QLabel>("limits-problem")->text().isEmpty());
+  type(QStringLiteral("gate.highest-speed-override"), QStringLiteral("110"));
+  press("setup-start");
+  EXPECT_FALSE(controller_.inForce.isEmpty());
+}
+
 TEST_F(SetupPageTest, LimitsThatCrossOrAreOutOfRangeAreSaidByTheirLabels) {
   openSetup();
   press("setup-limits");

@@ -15,6 +15,8 @@ class SetupLimits final : public SetupTab {
   SetupLimits(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
   void applyTheme(const Theme& theme) override;
+  // What was typed last is no limit, and the tab says why.
+  bool refused() const { return refused_; }
 
  private:
   // One declared limit and what it is typed into.

@@ -19,7 +19,7 @@ namespace stillcut::ui {
 namespace {
 
 constexpr int kProfileTab = 5;
-constexpr int kLimitsPlace = 2;
+constexpr int kLimitsTab = 6, kLimitsPlace = 2;
 
 }  // namespace
 
@@ -40,10 +40,14 @@ SetupPage::SetupPage(SetupController* controller, QWidget* parent)
     draft_.open(running, controller->profileInForce());
   }
   auto* profile = new SetupProfile(*controller, draft_);
-  tabs_ = {new SetupGuide(*controller, draft_),     new SetupMachine(*controller, draft_),
-           new SetupSensors(*controller, draft_),   new SetupTools(*controller, draft_),
-           new SetupRecording(*controller, draft_), profile,
-           new SetupLimits(*controller, draft_)};
+  auto* limits = new SetupLimits(*controller, draft_);
+  tabs_ = {new SetupGuide(*controller, draft_),
+           new SetupMachine(*controller, draft_),
+           new SetupSensors(*controller, draft_),
+           new SetupTools(*controller, draft_),
+           new SetupRecording(*controller, draft_),
+           profile,
+           limits};
   const struct {
     QString caption;
     const char* name;
@@ -75,8 +79,9 @@ SetupPage::SetupPage(SetupController* controller, QWidget* parent)
   start_->setAccessibleName(tr("Save what was changed and begin with it"));
   start_->setBaseHeight(62);
   choices_->addWidget(start_);
-  connect(start_, &TouchButton::clicked, this, [this, profile] {
-    start_->setFocus(Qt::MouseFocusReason);                   // what is being typed counts
+  connect(start_, &TouchButton::clicked, this, [this, profile, limits] {
+    start_->setFocus(Qt::MouseFocusReason);  // what is being typed counts
+    if (limits->refused()) return showTab(kLimitsTab);
     if (!profile->startUnderAnyName()) showTab(kProfileTab);  // which says why
   });
   choices_->addStretch(1);
