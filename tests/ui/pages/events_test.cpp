@@ -65,6 +65,17 @@ TEST_F(Moving, ARampIsOneMoveWithItsReason) {
   EXPECT_EQ(log_.events().back().what, RunEvent::What::Released);
 }
 
+TEST(EventSentence, WhereNoLengthWasMarkedNoneIsSaid) {
+  const auto ended = [](double seconds, double mm) {
+    RunEvent event;
+    event.reason = {ReasonCode::ChatterEnded, {seconds, mm}};
+    return eventSentence(event, UnitSystem::Metric);
+  };
+  EXPECT_TRUE(ended(1.67, 65.4).contains(QStringLiteral("65.4 mm"))) << ended(1.67, 65.4).toStdString();
+  EXPECT_FALSE(ended(0.02, 0.0).contains(QStringLiteral("mm"))) << ended(0.02, 0.0).toStdString();
+  EXPECT_TRUE(ended(0.02, 0.0).contains(QStringLiteral("0.02")));
+}
+
 TEST_F(Moving, WhoMovedWhatIsToldApart) {
   later();
   scene_.snapshot.machine.operatorSpeed = Ratio(0.9);

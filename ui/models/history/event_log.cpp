@@ -25,6 +25,13 @@ QString arrow(const QString& before, const QString& after) {
   return QStringLiteral("%1 \u2192 %2").arg(before, after);
 }
 
+// Length is marked in chatter alone, and where the feed is known: none is no measure.
+QString endText(const Reason& reason) {
+  constexpr double kShown_mm = 0.05;
+  if (reason.n[1] >= kShown_mm) return reasonText(reason);
+  return say("Stable again after %1").arg(join(number(reason.n[0], 2), QStringLiteral("s")));
+}
+
 QString because(const QString& what, const Reason& reason) {
   const QString why = reasonWords(reason);
   return why.isEmpty() ? what : QStringLiteral("%1: %2").arg(what, why);
@@ -36,6 +43,7 @@ QString eventSentence(const RunEvent& event, UnitSystem units) {
   const QString rpm = rpmUnit();
   switch (event.what) {
     case RunEvent::What::Event:
+      if (event.reason.code == ReasonCode::ChatterEnded) return endText(event.reason);
       return event.onset ? onsetText(event.reason) : reasonText(event.reason);
     case RunEvent::What::OurMove:
       return because(
