@@ -202,6 +202,10 @@ Result<CutFile> readCut(const CutOptions& o) {
   if (o.offsetGiven) changes.offset = Metres(1e-3 * o.offsetMm);
   Result<CutFile> cut = loadCutFile(o.file, *parts, changes);
   if (!cut) return cut;
+  if (cut->model.turning && (o.offsetGiven || !o.engagement.empty())) {
+    return Error{o.offsetGiven ? "--offset" : "--engagement", message("a turning cut has none"),
+                 message("its edge cuts all the time")};
+  }
   if (!o.responses.empty()) cut->measured = std::move(measured);
   if (const Status ok = milling::check(cut->model, o.file); !ok) return ok.error();
   for (const Message& remark : cut->remarks) std::fprintf(stderr, "warning: %s\n", text(remark).c_str());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 
 #include "app/cli/cut_options.h"
 #include "app/cli/out_path.h"
@@ -43,8 +44,16 @@ Result<std::vector<Rpm>> readSpeeds(const std::string& text) {
   return speedSteps(Rpm(parts[0]), Rpm(parts[1]), Rpm(parts[2]), "--speeds");
 }
 
-// From the fifth lobe of the slowest mode to beyond the first lobe of the fastest, some 200 speeds.
+// From the fifth lobe of the slowest mode to beyond the first lobe of the fastest, some 200 speeds; in turning, what
+// carbide cuts at.
 Result<std::vector<Rpm>> usualSpeeds(const CutModel& model) {
+  if (model.turning) {
+    constexpr double kSlow = 40.0, kFast = 400.0;  // [m/min]
+    const double around = std::numbers::pi * model.tool.diameter.value;
+    const double from = std::ceil(kSlow / around), to = std::floor(kFast / around);
+    return speedSteps(Rpm(from), Rpm(std::max(from, to)), Rpm(std::max(1.0, std::round((to - from) / 200.0))),
+                      "speeds");
+  }
   double slowest = model.modes.front().frequency.value;
   double fastest = slowest;
   for (const Mode& m : model.modes) {

@@ -8,6 +8,16 @@
 
 namespace stillcut::milling {
 
+namespace {
+
+constexpr double kNoMotion = 1e-9;  // of a mode's size: rounding
+
+double sizeOf(const Mode& m) {
+  return std::hypot(m.direction[0], m.direction[1], m.directionZ);
+}
+
+}  // namespace
+
 double helixOf(const Tool& tool, int tooth) {
   return tool.toothHelix.empty() ? tool.helix : tool.toothHelix[static_cast<std::size_t>(tooth)];
 }
@@ -36,6 +46,30 @@ Engagement engagementBetween(double startAngle, double exitAngle) {
   return {0.5 * (from - to), offset >= 0.0 ? MillingDirection::Up : MillingDirection::Down, offset};
 }
 
+bool takesPart(const Mode& mode) {
+  return mode.direction[0] != 0.0 || mode.direction[1] != 0.0;
+}
+
+double chipPerFeed(const CutModel& model) {
+  return model.turning ? std::sin(model.turning->edgeAngle) : 1.0;
+}
+
+CutModel standingTooth(const CutModel& model) {
+  if (!model.turning) return model;
+  CutModel standing = model;
+  const double kappa = model.turning->edgeAngle;
+  for (Mode& m : standing.modes) {
+    const double across = std::sin(kappa) * m.direction[0] + std::cos(kappa) * m.direction[1];
+    m.direction = {std::abs(across) < kNoMotion * sizeOf(m) ? 0.0 : across, m.directionZ};
+    m.directionZ = 0.0;
+  }
+  Material& k = standing.material;
+  for (double* force : {&k.tangential, &k.radial, &k.tangentialEdge, &k.radialEdge, &k.processDamping}) {
+    *force /= std::sin(kappa);
+  }
+  return standing;
+}
+
 namespace {
 
 Status checkEngagement(const Engagement& e, const std::string& place) {
@@ -53,7 +87,7 @@ Status checkMode(const Mode& m, const std::string& place) {
   if (!(m.frequency.value > 0.0) || !isFinite(m.frequency)) return bad(message("frequency must be above zero"));
   if (!(m.damping > 0.0) || !(m.damping < 1.0)) return bad(message("damping ratio must lie between 0 and 1"));
   if (!(m.stiffness > 0.0) || !std::isfinite(m.stiffness)) return bad(message("stiffness must be above zero"));
-  const double size = std::hypot(m.direction[0], m.direction[1]);
+  const double size = sizeOf(m);
   if (!(size > 0.0) || !std::isfinite(size)) return bad(message("direction must not be zero"));
   return Done{};
 }
@@ -86,6 +120,24 @@ Status checkTool(const Tool& t, const std::string& place) {
   return Done{};
 }
 
+Status checkTurning(const CutModel& model, const std::string& place) {
+  const auto bad = [&](Message what, Message why = {}) { return Status(Error{place, what, why}); };
+  constexpr double kLeast = 5.0 / 360.0 * kTwoPi, kMost = 150.0 / 360.0 * kTwoPi;
+  const double kappa = model.turning->edgeAngle;
+  if (!(kappa >= kLeast) || kappa > kMost)
+    return bad(message("the edge's angle to the feed must lie in 5 to 150 degrees"));
+  const Tool& t = model.tool;
+  if (!t.pitch.empty() || !t.toothHelix.empty() || !t.runout.empty() || t.helix != 0.0) {
+    return bad(message("edges that stand have no pitch, helix or runout"));
+  }
+  for (const Mode& m : model.modes) {
+    if (t.teeth == 1 || m.direction[1] == 0.0) continue;
+    return bad(message("with several edges the modes may move along the feed and the cutting speed only"),
+               message("what one edge feels across, the edge opposite feels the other way"));
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Status check(const CutModel& model, const std::string& where) {
@@ -102,6 +154,14 @@ Status check(const CutModel& model, const std::string& where) {
     return Error{where + ": material", message("the tangential coefficient must be above zero")};
   if (!(m.exponent > 0.0) || m.exponent > 1.0)
     return Error{where + ": material", message("exponent must lie in (0, 1]")};
+  const CutModel standing = standingTooth(model);
+  if (std::none_of(standing.modes.begin(), standing.modes.end(), takesPart)) {
+    return model.turning ? Error{where, message("no mode moves the edge across the cut or along the cutting speed"),
+                                 message("a direction is three numbers: along the feed, into the part, along the "
+                                         "cutting speed")}
+                         : Error{where, message("no mode moves the tool along x or y")};
+  }
+  if (model.turning) return checkTurning(model, where + ": turning");
   return checkEngagement(model.engagement, where + ": engagement");
 }
 

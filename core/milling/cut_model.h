@@ -21,6 +21,8 @@ struct Mode {
   double damping = 0.0;                       // ratio, > 0
   double stiffness = 0.0;                     // modal stiffness at the tool tip [N/m], > 0
   std::array<double, 2> direction{1.0, 0.0};  // participation of x and y; mass-normalised direction, not nec. unit
+  double directionZ = 0.0;                    // and of z
+  bool ofPart = false;                        // of the part, not the tool: what counts is how one moves to the other
   double mass() const {                       // [kg]
     const double w = kTwoPi * frequency.value;
     return stiffness / (w * w);
@@ -76,12 +78,29 @@ struct Engagement {
 // The engagement of a tool that cuts from one angle to another [rad], 0 <= start < exit <= pi.
 Engagement engagementBetween(double startAngle, double exitAngle);
 
+// Turning, boring, and drilling a pilot hole wider: edges that stand while the work runs past. The tool's teeth are its
+// edges, its diameter the work's at the cut, the depth of cut is measured along y, the feed is per revolution and edge.
+// Axes of the modes: x along the feed, y into the part, z as the work runs past the edge.
+// The chip is f sin(kappa) thick and a_p / sin(kappa) wide, n = (sin kappa, cos kappa, 0) is its thickness' direction.
+struct Turning {
+  double edgeAngle = 0.25 * kTwoPi;  // kappa, between the edge and the feed [rad]
+};
+
 struct CutModel {
   std::vector<Mode> modes;  // at least one
   Tool tool;
   Material material;
-  Engagement engagement;
+  Engagement engagement;           // of no use in turning
+  std::optional<Turning> turning;  // empty: milling
 };
+
+// A turning cut as a tooth that stands at 90 degrees sees it: modes along n and z as x and y, forces per depth of cut.
+// A milling cut is given back as it is.
+CutModel standingTooth(const CutModel& model);
+// Has a part in x or y; of a standing tooth in n or z. Modes without it neither see the chip nor are moved by forces.
+bool takesPart(const Mode& mode);
+// The chip's thickness over the feed per revolution, of an edge that stands.
+double chipPerFeed(const CutModel& model);
 
 // One clear line for negative damping, zero teeth, immersion outside 0..1, no modes, a pitch that does not close, ...
 // `where` names the file or caller.

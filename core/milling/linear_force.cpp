@@ -9,6 +9,10 @@ Metres meanChip(const Engagement& engagement, Metres feedPerTooth) {
   return Metres(feedPerTooth.value * (std::cos(start) - std::cos(exit)) / (exit - start));
 }
 
+Metres meanChip(const CutModel& model, Metres feedPerTooth) {
+  return model.turning ? chipPerFeed(model) * feedPerTooth : meanChip(model.engagement, feedPerTooth);
+}
+
 Material linearisedAt(Material m, Metres chip) {
   if (m.exponent == 1.0) return m;
   const double slope = m.exponent * std::pow(chip.value, m.exponent - 1.0);
@@ -21,7 +25,7 @@ Material linearisedAt(Material m, Metres chip) {
 
 Metres lineariseForLobes(CutModel& model, Metres feedPerTooth) {
   if (model.material.exponent == 1.0) return {};
-  const Metres chip = feedPerTooth.value > 0.0 ? meanChip(model.engagement, feedPerTooth) : model.material.usualChip;
+  const Metres chip = feedPerTooth.value > 0.0 ? meanChip(model, feedPerTooth) : model.material.usualChip;
   if (chip.value > 0.0) model.material = linearisedAt(model.material, chip);
   return chip;
 }

@@ -9,6 +9,7 @@ namespace stillcut::milling {
 
 // Mean chip thickness over the angles in the cut, f_z (cos start - cos exit)/(exit - start).
 Metres meanChip(const Engagement& engagement, Metres feedPerTooth);
+Metres meanChip(const CutModel& model, Metres feedPerTooth);  // of an edge that stands: f sin(kappa)
 // x K h^(x-1) for K and exponent 1, without edge forces; `chip` above 0. An exponent of 1 is left as it is.
 Material linearisedAt(Material material, Metres chip);
 // What lobes can work with: a power law taken as straight at the mean chip of this feed, or at the material's usual

@@ -32,6 +32,17 @@ Tool readTool(const config::TomlTable& t) {
   return tool;
 }
 
+// Edges that stand: no [tool] and no [engagement].
+void readTurning(const config::TomlTable& root, CutModel& model) {
+  for (const char* table : {"tool", "engagement"}) {
+    if (root.has(table)) root.refuse(table, message("a turning cut has no tool that turns: [turning] says it all"));
+  }
+  const config::TomlTable t = root.table("turning");
+  model.turning = Turning{milling::inSi(t.numberOr("edge_angle_deg", 90.0, 5.0, 150.0), kPerRadian)};
+  model.tool.teeth = t.integerOr("edges", 1, 1, kMostTeeth);
+  model.tool.diameter = Metres(milling::inSi(t.number("diameter_mm", 0.1, 10000.0), kPerMetreMm));
+}
+
 MillingDirection readSide(const config::TomlTable& e, bool needed) {
   const int side = needed ? e.choice("side", {"up", "down"}) : e.choiceOr("side", 0, {"up", "down"});
   return side == 0 ? MillingDirection::Up : MillingDirection::Down;
@@ -82,11 +93,13 @@ std::vector<Mode> readModes(const config::TomlTable& root) {
     m.damping = t.number("damping", 1e-6, 0.999);
     m.stiffness = t.number("stiffness_n_per_m", 1.0, 1e15);
     const std::vector<double> d = t.numbers("direction");
-    if (d.size() == 2) {
+    if (d.size() == 2 || d.size() == 3) {
       m.direction = {d[0], d[1]};
+      if (d.size() == 3) m.directionZ = d[2];
     } else {
-      t.refuse("direction", message("a direction is two numbers, along x and y"));
+      t.refuse("direction", message("a direction is two or three numbers, along x, y and z"));
     }
+    m.ofPart = t.choiceOr("of", 0, {"tool", "part"}) == 1;
     modes.push_back(m);
   }
   return modes;
@@ -136,7 +149,12 @@ CutModel readModel(const config::TomlTable& root, const ModelParts& parts) {
   CutModel model;
   if (parts.modes.empty() || root.has("mode")) model.modes = readModes(root);
   if (!parts.modes.empty()) model.modes = parts.modes;
-  model.tool = readTool(root.table("tool"));
+  if (root.has("turning")) {
+    readTurning(root, model);
+  } else {
+    model.tool = readTool(root.table("tool"));
+    model.engagement = readEngagement(root.table("engagement"), model.tool.diameter);
+  }
   if (root.has("material") && !root.isTable("material")) {
     model.material = named(root, "material");
   } else if (!parts.material || root.has("material")) {
@@ -144,7 +162,6 @@ CutModel readModel(const config::TomlTable& root, const ModelParts& parts) {
   }
   if (parts.material) model.material = *parts.material;
   for (const char* notes : {"modal_fit", "force_fit"}) root.tableOr(notes).keys();
-  model.engagement = readEngagement(root.table("engagement"), model.tool.diameter);
   return model;
 }
 
@@ -153,7 +170,8 @@ std::string modesText(const std::vector<Mode>& modes) {
   for (const Mode& m : modes) {
     s += "[[mode]]\nfrequency_hz = " + numberText(m.frequency.value) + "\ndamping = " + numberText(m.damping) +
          "\nstiffness_n_per_m = " + numberText(m.stiffness) + "\ndirection = [" + numberText(m.direction[0]) + ", " +
-         numberText(m.direction[1]) + "]\n\n";
+         numberText(m.direction[1]) + (m.directionZ != 0.0 ? ", " + numberText(m.directionZ) : "") + "]\n" +
+         (m.ofPart ? "of = \"part\"\n\n" : "\n");
   }
   return s;
 }
@@ -180,6 +198,12 @@ std::string materialText(const Material& m) {
 std::string modelText(const CutModel& model) {
   const Tool& t = model.tool;
   std::string s = modesText(model.modes);
+  if (model.turning) {
+    return s + "[turning]\nedges = " + std::to_string(t.teeth) +
+           "\ndiameter_mm = " + numberText(t.diameter.value, kPerMetreMm) +
+           "\nedge_angle_deg = " + numberText(model.turning->edgeAngle, kPerRadian) + "\n\n" +
+           materialText(model.material);
+  }
   s += "[tool]\nteeth = " + std::to_string(t.teeth) + "\ndiameter_mm = " + numberText(t.diameter.value, kPerMetreMm) +
        "\nhelix_deg = " + numberText(t.helix, kPerRadian) + "\n";
   if (!t.toothHelix.empty()) s += "tooth_helix_deg = " + list(t.toothHelix, kPerRadian) + "\n";

@@ -1,5 +1,5 @@
 // The physics of a cut in TOML: the tables [[mode]], [tool], [material], [engagement] that scenarios, lobe cases and
-// identified models share.
+// identified models share; [turning] stands in the place of [tool] and [engagement].
 // Thread: set-up.
 #pragma once
 

@@ -19,17 +19,23 @@ bool hasHelix(const Tool& tool) {
 }  // namespace
 
 RegenerativeCut::RegenerativeCut(const CutModel& model, const CutNumerics& numerics)
-    : model_(model),
+    : model_(standingTooth(model)),
       mayLeave_(numerics.mayLeaveCut),
       leavesMarks_(numerics.leavesMarks),
       linearChip_(model.material.exponent == 1.0),
-      modes_(std::min(static_cast<int>(model.modes.size()), kMaxModes)),
+      modes_(std::min(static_cast<int>(model_.modes.size()), kMaxModes)),
       teeth_(model.tool.teeth),
       cells_(numerics.stepsPerRevolution),
       slices_(hasHelix(model.tool) ? std::max(1, numerics.slices) : 1),
       sliceDepth_(std::max(numerics.deepest.value, 1e-9) / slices_),
       radius_(0.5 * model.tool.diameter.value),
+      chipPerFeed_(milling::chipPerFeed(model)),
       surface_(cells_, slices_) {
+  if (model.turning) {
+    surface_.stand();
+    normal_ = {std::sin(model.turning->edgeAngle), std::cos(model.turning->edgeAngle)};
+  }
+  for (int i = 0; i < modes_; ++i) shown_[at(i)] = model.modes[at(i)].direction;
   for (int i = 0; i < modes_; ++i) {
     const Mode& m = model_.modes[at(i)];
     dx_[at(i)] = m.direction[0];
@@ -157,7 +163,8 @@ void RegenerativeCut::cutEdge(Edge& e, double tipX, double tipY, double speedX, 
   double* const heights = surface_.slice(e.slice);
   double height = heights[m];
   // What the tip does comes last everywhere: the rest is known before the motion is, and need not be waited for.
-  double rigid = e.runout + s * x_, reach = 0.0;
+  const double fed = chipPerFeed_ * x_;
+  double rigid = e.runout + s * fed, reach = 0.0;
   if (e.fraction == 0.0) {
     reach = rigid + (s * tipX + c * tipY);
     if (!mayLeave_ || reach > height) heights[m] = reach;
@@ -167,7 +174,7 @@ void RegenerativeCut::cutEdge(Edge& e, double tipX, double tipY, double speedX, 
     const double s0 = s;
     s = s0 * e.cosineRest + c * e.sineRest;
     c = c * e.cosineRest - s0 * e.sineRest;
-    rigid = e.runout + s * x_;
+    rigid = e.runout + s * fed;
     reach = rigid + (s * tipX + c * tipY);
     weight += e.fraction * (surface_.weight()[next] - weight);
     height += e.fraction * (heights[next] - height);
@@ -177,7 +184,7 @@ void RegenerativeCut::cutEdge(Edge& e, double tipX, double tipY, double speedX, 
     e.lastReach = reach;
     e.hasReach = true;
   }
-  const double met = SurfaceHistory::isFresh(height) ? s * (x_ - flatFeedPerTooth()) : height;
+  const double met = SurfaceHistory::isFresh(height) ? s * (fed - chipPerFeed_ * flatFeedPerTooth()) : height;
   const double chip = (rigid - met) + (s * tipX + c * tipY);
   if (weight == 0.0 || (mayLeave_ && chip <= 0.0)) return;
   const Material& mat = model_.material;

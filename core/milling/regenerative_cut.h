@@ -4,12 +4,15 @@
 // Steps are equal in spindle angle, so that a tooth meets the surface exactly where it was stored, at any speed. Over a
 // step each mode's state is carried by its exact transition, with the force linear between its two ends: second order.
 // The force at the end is found from a prediction with the force held, whose displacement error is third order.
-// Axes and angles: core/milling/cut_model.h. Tooth j stands at (spindle angle + pitch[0] + ... + pitch[j-1]).
+// A turning cut is a tooth that stands at 90 degrees while the surface runs past it: its angle counts on, its direction
+// does not turn. Axes and angles: core/milling/cut_model.h. Tooth j stands at (spindle angle + pitch[0] + ... +
+// pitch[j-1]).
 //
 // Thread: one. After construction nothing allocates; advance() is real-time safe.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,15 +57,17 @@ class RegenerativeCut {
   int cell() const { return cell_; }             // spindle angle in steps, 0 .. stepsPerRevolution - 1
   double feedPath() const { return x_; }         // [m]
   int modes() const { return modes_; }
-  std::array<double, 2> direction(int mode) const {
-    return {dx_[static_cast<std::size_t>(mode)], dy_[static_cast<std::size_t>(mode)]};
-  }
+  std::array<double, 2> direction(int mode) const { return shown_[static_cast<std::size_t>(mode)]; }  // along x, y
   double displacement(int mode) const { return q_[static_cast<std::size_t>(mode)]; }
   double velocity(int mode) const { return v_[static_cast<std::size_t>(mode)]; }
   double acceleration(int mode) const noexcept;
+  // In turning along the chip's thickness and along the cutting speed.
   std::array<double, 2> tip() const noexcept;
   std::array<double, 2> tipAcceleration() const noexcept;
-  std::array<double, 2> force() const { return {fx_, fy_}; }  // cutting force on the tool [N]
+  // Cutting force on the tool along x and y [N].
+  std::array<double, 2> force() const {
+    return normal_ ? std::array{fx_ * (*normal_)[0], fx_ * (*normal_)[1]} : std::array{fx_, fy_};
+  }
   // Cutting torque averaged since the last call [N m].
   double takeMeanTorque() noexcept;
 
@@ -89,7 +94,9 @@ class RegenerativeCut {
   CutModel model_;
   bool mayLeave_, leavesMarks_, linearChip_;
   int modes_, teeth_, cells_, slices_;
-  double sliceDepth_, radius_;
+  double sliceDepth_, radius_, chipPerFeed_;
+  std::optional<std::array<double, 2>> normal_{};  // of the chip's thickness, of an edge that stands
+  std::array<std::array<double, 2>, kMaxModes> shown_{};
   SurfaceHistory surface_;
   std::vector<Edge> edges_;
   int liveEdges_ = 0;  // edges of slices in the cut come first

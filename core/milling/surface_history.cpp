@@ -28,7 +28,17 @@ SurfaceHistory::SurfaceHistory(int cells, int slices)
   }
 }
 
+void SurfaceHistory::stand() noexcept {
+  stands_ = true;
+  std::fill(sine_.begin(), sine_.end(), 1.0);
+  std::fill(cosine_.begin(), cosine_.end(), 0.0);
+  std::fill(weight_.begin(), weight_.end(), 1.0);
+  std::fill(live_.begin(), live_.end(), std::uint8_t{1});
+  for (int s = 0; s < slices_; ++s) restartSlice(s);
+}
+
 void SurfaceHistory::setWindows(std::span<const AngularWindow> windows) noexcept {
+  if (stands_) return;
   const double perCell = kTwoPi / cells_;
   std::fill(weight_.begin(), weight_.end(), 0.0);
   for (const AngularWindow& w : windows) {

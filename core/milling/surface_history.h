@@ -24,6 +24,8 @@ class SurfaceHistory {
   // Angles in the material. Cells that come newly into it are fresh. Edges between cells weigh the cell by its part,
   // so that the force integral over a step does not jump when an edge moves (first order in the step without it).
   void setWindows(std::span<const AngularWindow> windows) noexcept;
+  // From now on the edges stand at 90 degrees at every angle of the work, all of which is in the material.
+  void stand() noexcept;
   // A slice that comes newly into the cut is all fresh.
   void restartSlice(int slice) noexcept;
   // All heights times `factor`; what is fresh stays fresh.
@@ -43,6 +45,7 @@ class SurfaceHistory {
 
  private:
   int cells_, slices_;
+  bool stands_ = false;
   std::vector<double> sine_, cosine_;
   std::vector<double> weight_;      // fraction of the cell [m - 1/2, m + 1/2] inside the windows
   std::vector<std::uint8_t> live_;  // the cell or a neighbour has weight: its surface is kept

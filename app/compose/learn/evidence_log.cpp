@@ -35,6 +35,7 @@ Result<std::optional<learn::CutEvidence>> evidenceOf(const config::Profile& prof
   if (!said) return std::optional<learn::CutEvidence>();
   const auto model = milling::loadLobeCase(modelFile(profile, profilePath));
   if (!model) return model.error();
+  if (model->model.turning) return std::optional<learn::CutEvidence>();  // what is learned is of milling
   learn::CutEvidence cut;
   cut.assembly.machine = profile.cut.machine;
   cut.assembly.tool = profile.cut.tool;

@@ -104,6 +104,10 @@ Result<ui::EnteredCut> EnteredCutLobes::read(const ui::EnteredCut& cut, const QS
   const auto loaded = loadCutFile(path);
   if (!loaded) return loaded.error();
   const milling::CutModel& model = loaded->model;
+  if (model.turning) {
+    return Error{path, message("is a turning cut, and this page enters milling cuts"),
+                 message("stillcut-cli lobes takes it")};
+  }
   out.file = file;
   out.modes = shown(model.modes);
   out.teeth = model.tool.teeth;

@@ -22,7 +22,7 @@ CutModel linearised(CutModel m, Metres feedPerTooth) {
   m.tool.runout.clear();
   m.material.tangentialEdge = m.material.radialEdge = 0.0;
   // Where the lobes take it as straight.
-  m.material = linearisedAt(m.material, meanChip(m.engagement, std::max(feedPerTooth, Metres(1e-6))));
+  m.material = linearisedAt(m.material, meanChip(m, std::max(feedPerTooth, Metres(1e-6))));
   return m;
 }
 

@@ -146,6 +146,11 @@ void SimulatedCut::updateEngagement() noexcept {
   if (p.exit) {
     remaining = (p.exit->along == Along::Time ? (p.exit->at - t) * feed_ : p.exit->at - path) / radius;
   }
+  if (scenario_.model.turning) {
+    // The edge is in the work or beside it: a part of a radius means nothing.
+    entered = entered > 0.0 ? 1.0 : 0.0;
+    remaining = remaining > 0.0 ? 1.0 : 0.0;
+  }
   Engagement e = scenario_.model.engagement;
   e.radialImmersion = p.immersion.at(t, path, e.radialImmersion);
   const EngagedAngles angles = engagedAngles({e.startAngle(), e.exitAngle()}, entered, remaining);

@@ -149,6 +149,10 @@ class Adviser {
   }
 
   double removal(Rpm speed) const {
+    if (model_.turning) {
+      const double around = std::numbers::pi * model_.tool.diameter.value * toHertz(speed).value;
+      return request_.depth.value * request_.feedPerTooth.value * model_.tool.teeth * around;
+    }
     const double width = model_.engagement.radialImmersion * model_.tool.diameter.value;
     const double feed = request_.feedPerTooth.value * model_.tool.teeth * toHertz(speed).value;
     return request_.depth.value * width * feed;

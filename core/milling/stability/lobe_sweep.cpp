@@ -143,7 +143,7 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
   const Result<ZerothOrder> zoa =
       options.measured ? ZerothOrder::make(model, *options.measured, where) : ZerothOrder::make(model, where);
   if (!zoa) return zoa.error();
-  warnings.push_back(zoa->warning());
+  if (!zoa->warning().empty()) warnings.push_back(zoa->warning());
   if (model.material.processDamping != 0.0) {
     warnings.push_back(message("the zeroth order leaves out process damping: its limits at low speed are too low"));
   }

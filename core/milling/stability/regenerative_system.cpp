@@ -225,20 +225,39 @@ Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const s
   return systemAt(model, depth);
 }
 
-RegenerativeSystem systemAt(const CutModel& model, Metres depth) {
+namespace {
+
+// Of edges that stand: all of them cut all the time, as a tooth at 90 degrees.
+std::vector<ForceInterval> standingArc(const ForceInterval& tooth, int edges, double toothAngle) {
+  ForceInterval arc;
+  arc.to = toothAngle;
+  arc.cutting = true;
+  const Planar one = combine(tooth, {1.0, 0.0, -1.0, 0.0});
+  for (std::size_t i = 0; i < one.size(); ++i) arc.steady[i] = edges * one[i];
+  return {arc};
+}
+
+}  // namespace
+
+RegenerativeSystem systemAt(const CutModel& cut, Metres depth) {
+  const CutModel model = standingTooth(cut);
   RegenerativeSystem system;
   system.teeth = model.tool.teeth;
   system.toothAngle = kTwoPi / model.tool.teeth;
   system.depth = depth.value;
   for (const Mode& m : model.modes) {
-    system.oscillators.push_back({kTwoPi * m.frequency.value, m.damping, m.mass(), m.direction});
+    if (takesPart(m)) system.oscillators.push_back({kTwoPi * m.frequency.value, m.damping, m.mass(), m.direction});
   }
   const double radius = 0.5 * model.tool.diameter.value;
   const Window window{model.engagement.startAngle(), model.engagement.exitAngle(),
                       depth.value * std::tan(helixOf(model.tool, 0)) / radius};
-  system.intervals = makeArcs(window, toothForce(model.material.tangential, model.material.radial), system.toothAngle);
+  const auto arcs = [&](const ForceInterval& tooth) {
+    return model.turning ? standingArc(tooth, system.teeth, system.toothAngle)
+                         : makeArcs(window, tooth, system.toothAngle);
+  };
+  system.intervals = arcs(toothForce(model.material.tangential, model.material.radial));
   if (model.material.processDamping > 0.0) {
-    system.damping = makeArcs(window, toothForce(0.0, model.material.processDamping / radius), system.toothAngle);
+    system.damping = arcs(toothForce(0.0, model.material.processDamping / radius));
   }
   projectOnOneAxis(system);
   return system;

@@ -80,6 +80,7 @@ Result<ZerothOrder> ZerothOrder::make(CutModel model, MeasuredReceptance measure
 
 ZerothOrder::ZerothOrder(ExactLobes lobes) : lobes_(std::move(lobes)) {
   mean_ = lobes_.system().mean(0.0, lobes_.system().toothAngle);
+  if (lobes_.model().turning) return;  // nothing is averaged
   const double share = cuttingFraction(lobes_.system());
   const long percent = std::lround(100.0 * share);
   warning_ = share < 0.75 ? message(

@@ -26,7 +26,8 @@ class ZerothOrder {
   // When stopped: nothing, searchedTo 0.
   Result<SpeedLimits> limit(Rpm speed, Metres maxAxialDepth, const std::stop_token& stop = {}) const;
   Result<SpeedLimits> limit(Rpm speed, Metres maxAxialDepth, WorkMeter& meter) const;
-  // One sentence that belongs beside every result; stronger where teeth cut only part of the time.
+  // One sentence that belongs beside every result; stronger where teeth cut only part of the time. Empty where edges
+  // stand, for which the zeroth order is all there is.
   const Message& warning() const { return warning_; }
 
  private:
