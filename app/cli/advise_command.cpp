@@ -1,5 +1,5 @@
 // stillcut-cli advise FILE [--depth MM] [--speeds FROM:TO] [--feed MM] [--cutting-speed M_PER_MIN]
-//                     [--pitch-at RPM] [--json]
+//                     [--spread FREQUENCY,DAMPING,STIFFNESS,FORCE] [--pitch-at RPM] [--json]
 
 #include <cmath>
 #include <cstdio>
@@ -21,6 +21,7 @@ struct AdviseCommand {
   std::string speeds;
   double depthMm = 0.0, cuttingSpeed = 0.0;  // 0: what the file says
   double pitchAt = 0.0;                      // [rev/min]; 0: speeds are asked for, not pitches
+  std::vector<double> spread;                // [%]; none: the model is taken at its word
   int threads = 2;
   bool json = false;
 };
@@ -33,6 +34,9 @@ Result<AdviceRequest> requestOf(const AdviseCommand& c, const CutFile& cut) {
   request.highest = cut.highest;
   request.threads = c.threads;
   if (c.cuttingSpeed > 0.0) request.cuttingSpeed = c.cuttingSpeed;
+  const auto spread = spreadOf(c.spread, cut.model.material);
+  if (!spread) return spread.error();
+  request.spread = *spread;
   if (!(request.depth.value > 0.0)) {
     return Error{c.cut.file, message("does not say how deep the cut is"), message("give --depth MM")};
   }
@@ -79,6 +83,7 @@ nlohmann::json asJson(const milling::SpeedAdvice& advice, const AdviceRequest& r
   all["depth_mm"] = 1e3 * request.depth.value;
   all["lowest_rpm"] = request.lowest.value;
   all["highest_rpm"] = advice.highest.value;
+  all["with_spread"] = request.spread.any();
   all["deepest"] = nullptr;
   all["pockets"] = json::array();
   all["warnings"] = json::array();
@@ -88,6 +93,7 @@ nlohmann::json asJson(const milling::SpeedAdvice& advice, const AdviceRequest& r
                 {"best_rpm", p.best.value},
                 {"limit_mm", 1e3 * p.limit.value},
                 {"limit_open", p.open},
+                {"expected_limit_mm", 1e3 * p.expected.value},
                 {"margin", p.margin},
                 {"width", p.width},
                 {"chatter_below_hz", orNull(p.from.frequency.value, p.from.frequency.value > 0.0)},
@@ -123,6 +129,7 @@ void print(const milling::SpeedAdvice& advice, const AdviceRequest& request) {
   for (const SpeedPocket& p : advice.pockets) {
     std::printf("%.0f to %.0f rev/min is stable at %.4g mm; best %.0f: %s %.3g mm", std::ceil(p.from.speed.value),
                 std::floor(p.to.speed.value), depth, p.best.value, howDeep(p.open), 1e3 * p.limit.value);
+    if (request.spread.any()) std::printf(" in nine of ten, %.3g mm expected", 1e3 * p.expected.value);
     if (p.removal > 0.0) std::printf(", %.3g cm3/min", 6e7 * p.removal);
     if (p.forced) {
       std::printf(", vibration %.3g m/s2, wall off by %.2g um", p.forced->acceleration, 1e6 * wallError(*p.forced));
@@ -177,6 +184,9 @@ int runPitch(const AdviseCommand& c, const CutFile& cut) {
 int run(const AdviseCommand& c) {
   const auto cut = readCut(c.cut);
   if (!cut) return fail(cut.error());
+  if (c.pitchAt > 0.0 && !c.spread.empty()) {
+    return fail({"--spread", message("is not for pitches"), message("ask for the speeds of a tool that has one")});
+  }
   if (c.pitchAt > 0.0) return runPitch(c, *cut);
   const auto request = requestOf(c, *cut);
   if (!request) return fail(request.error());
@@ -201,6 +211,7 @@ void addAdvise(CLI::App& app, int& exitCode) {
       ->check(CLI::PositiveNumber);
   sub->add_option("--speeds", c->speeds, "FROM:TO [rev/min]; left out: what the file's override reaches");
   sub->add_option("--cutting-speed", c->cuttingSpeed, "Largest of the tool [m/min]")->check(CLI::PositiveNumber);
+  addSpread(*sub, c->spread, "speeds and depths then keep clear of the band of the limit");
   sub->add_option("--pitch-at", c->pitchAt, "Which pitch of the teeth would be best at this speed [rev/min], instead")
       ->check(CLI::PositiveNumber);
   sub->add_flag("--json", c->json, "Print JSON");

@@ -173,6 +173,29 @@ void addCutOptions(CLI::App& command, CutOptions& o) {
       ->excludes("--engagement");
 }
 
+CLI::Option* addSpread(CLI::App& command, std::vector<double>& percent, const std::string& what) {
+  return command
+      .add_option("--spread", percent,
+                  "FREQUENCY,DAMPING,STIFFNESS,FORCE: standard deviations of the model [%]; " + what +
+                      ". FORCE may be left out where the material has a spread of its own")
+      ->delimiter(',');
+}
+
+Result<milling::ModelSpread> spreadOf(const std::vector<double>& percent, const milling::Material& material) {
+  milling::ModelSpread spread;
+  if (percent.empty()) return spread;
+  if (percent.size() != 4 && !(percent.size() == 3 && material.spread > 0.0)) {
+    return Error{"--spread", message("needs four numbers"), message("FREQUENCY,DAMPING,STIFFNESS,FORCE in percent")};
+  }
+  spread.frequency = 0.01 * percent[0];
+  spread.damping = 0.01 * percent[1];
+  spread.stiffness = 0.01 * percent[2];
+  spread.force = percent.size() == 4 ? 0.01 * percent[3] : material.spread;
+  spread.processDamping = material.dampingSpread;
+  if (Status ok = milling::check(spread, "--spread"); !ok) return ok.error();
+  return spread;
+}
+
 // A tap test along one axis says nothing of the other.
 void warnOfRigidAxis(const std::vector<milling::Mode>& modes) {
   for (const std::size_t axis : {0U, 1U}) {

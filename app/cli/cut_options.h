@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "app/compose/cut/cut_file.h"
 #include "core/milling/identify/import/import_options.h"
+#include "core/milling/stability/limit_band.h"
 
 namespace stillcut::app {
 
@@ -23,6 +24,9 @@ struct CutOptions {
   bool offsetGiven = false;
 };
 
+// Standard deviations in percent as --spread gives them; none are no doubt at all.
+Result<milling::ModelSpread> spreadOf(const std::vector<double>& percent, const milling::Material& material);
+CLI::Option* addSpread(CLI::App& command, std::vector<double>& percent, const std::string& what);
 void addCutOptions(CLI::App& command, CutOptions& options);
 // The cut as file and options make it; warnings of the files go to stderr.
 Result<CutFile> readCut(const CutOptions& options);

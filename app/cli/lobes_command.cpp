@@ -68,15 +68,10 @@ Result<std::vector<Rpm>> usualSpeeds(const CutModel& model) {
 
 Result<LimitBands> bandsOf(const LobesCommand& c, const CutFile& cut, const std::vector<Rpm>& speeds, Metres deepest) {
   if (c.spread.empty()) return LimitBands{};
-  const Material& material = cut.model.material;
-  if (c.spread.size() != 4 && !(c.spread.size() == 3 && material.spread > 0.0)) {
-    return Error{"--spread", message("needs four numbers"), message("FREQUENCY,DAMPING,STIFFNESS,FORCE in percent")};
-  }
+  const auto spread = spreadOf(c.spread, cut.model.material);
+  if (!spread) return spread.error();
   if (c.method != "exact") return Error{"--spread", message("bands are of the exact method")};
-  ModelSpread spread{0.01 * c.spread[0], 0.01 * c.spread[1], 0.01 * c.spread[2], material.spread};
-  if (c.spread.size() == 4) spread.force = 0.01 * c.spread[3];
-  spread.processDamping = material.dampingSpread;
-  return limitBands(cut.model, speeds, deepest, spread, c.threads, "--spread");
+  return limitBands(cut.model, speeds, deepest, *spread, c.threads, "--spread");
 }
 
 int run(const LobesCommand& c) {
@@ -123,11 +118,7 @@ void addLobes(CLI::App& app, int& exitCode) {
   sub->add_option("--speeds", c->speeds, "FROM:TO:STEP [rev/min], TO included; left out: the modes' lobes");
   sub->add_option("--max-depth", c->maxDepthMm, "Deepest cut looked at [mm]; left out: the case's")
       ->check(CLI::PositiveNumber);
-  sub->add_option(
-         "--spread", c->spread,
-         "FREQUENCY,DAMPING,STIFFNESS,FORCE: standard deviations of the model [%]; adds the band of the limit. "
-         "FORCE may be left out where the material has a spread of its own")
-      ->delimiter(',');
+  addSpread(*sub, c->spread, "adds the band of the limit");
   sub->add_flag("--json", c->json, "Print JSON: limits with the depth searched, whether verified, and the warnings");
   sub->add_option("--threads", c->threads, "Threads to work with")->check(CLI::Range(1, 64));
   sub->add_option("--out", c->out, "Write the table to OUT.csv instead of printing it");

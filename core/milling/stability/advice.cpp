@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/milling/stability/lobe_refine.h"
 #include "core/milling/stability/lobe_sweep.h"
@@ -18,9 +19,79 @@ constexpr int kQuietLooks = 60;         // speeds of a pocket compared for their
 constexpr double kBestStep = 0.5;       // [rev/min]
 constexpr double kEdgeStep = 0.05;      // [rev/min]
 
+// The lobes of a cut that is known well, or of those drawn around it: then the limit that a tenth of them undercut.
+class DoubtfulLobes {
+ public:
+  static Result<DoubtfulLobes> make(const CutModel& model, const ModelSpread& spread, const std::string& where) {
+    Result<ExactLobes> known = ExactLobes::make(model, where);
+    if (!known) return known.error();
+    DoubtfulLobes lobes(std::move(known.value()));
+    if (!spread.any()) return lobes;
+    if (Status ok = check(spread, where); !ok) return ok.error();
+    for (const CutModel& one : drawnModels(model, spread)) {
+      Result<ExactLobes> drawn = ExactLobes::make(one, where);
+      if (!drawn) return drawn.error();
+      lobes.drawn_.push_back(std::move(drawn.value()));
+    }
+    lobes.outside_ = outsideBand(spread);
+    return lobes;
+  }
+
+  SpeedLimits expected(Rpm speed, const LimitOptions& options, const std::stop_token& stop) const {
+    return of(known_, speed, options, stop);
+  }
+
+  SpeedLimits limits(Rpm speed, LimitOptions options, const std::stop_token& stop) const {
+    if (drawn_.empty()) return expected(speed, options, stop);
+    const bool frequencies = std::exchange(options.frequencies, false);
+    std::vector<std::pair<Metres, std::size_t>> depths;
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
+      depths.emplace_back(limitingDepth(of(drawn_[i], speed, options, stop)), i);
+    }
+    const auto chosen = depths.begin() + static_cast<std::ptrdiff_t>(outside_);
+    std::nth_element(depths.begin(), chosen, depths.end());
+    options.frequencies = frequencies;
+    options.hint = chosen->first;
+    return of(drawn_[chosen->second], speed, options, stop);
+  }
+
+  // `sweep` is of the cut as it is known.
+  Result<LobeSweep> sweep(LobeSweep sweep, std::span<const Rpm> speeds, const SweepOptions& options,
+                          const std::string& where, const std::stop_token& stop) const {
+    if (drawn_.empty()) return sweep;
+    std::vector<std::vector<SpeedLimits>> all(speeds.size());
+    for (const ExactLobes& one : drawn_) {
+      Result<LobeSweep> drawn = sweepLobes(one.model(), speeds, options, where, stop);
+      if (!drawn || !drawn->finished) return drawn;
+      for (std::size_t k = 0; k < speeds.size(); ++k) all[k].push_back(std::move(drawn->speeds[k]));
+    }
+    const auto lower = [](const SpeedLimits& a, const SpeedLimits& b) { return limitingDepth(a) < limitingDepth(b); };
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+      const auto chosen = all[k].begin() + static_cast<std::ptrdiff_t>(outside_);
+      std::nth_element(all[k].begin(), chosen, all[k].end(), lower);
+      sweep.speeds[k] = std::move(*chosen);
+    }
+    return sweep;
+  }
+
+  const ExactLobes& known() const { return known_; }
+
+ private:
+  explicit DoubtfulLobes(ExactLobes known) : known_(std::move(known)) {}
+
+  static SpeedLimits of(const ExactLobes& lobes, Rpm speed, const LimitOptions& options, const std::stop_token& stop) {
+    if (!lobes.possible(speed)) return {speed, {}, {}, false};
+    return lobes.limits(speed, options, stop).value();
+  }
+
+  ExactLobes known_;
+  std::vector<ExactLobes> drawn_;
+  std::size_t outside_ = 0;
+};
+
 class Adviser {
  public:
-  Adviser(const CutModel& model, const AdviceRequest& request, const ExactLobes& lobes, std::stop_token stop)
+  Adviser(const CutModel& model, const AdviceRequest& request, const DoubtfulLobes& lobes, std::stop_token stop)
       : model_(model), request_(request), lobes_(lobes), stop_(std::move(stop)) {}
 
   // Islands count as they are: the depth asked for must itself be stable, and so all below it down to zero.
@@ -46,8 +117,7 @@ class Adviser {
   Metres limitOf(const SpeedLimits& limits) const { return limitingDepth(limits); }
 
   SpeedLimits at(Rpm speed) const {
-    if (!lobes_.possible(speed)) return {speed, {}, {}, false};
-    return lobes_.limits(speed, {kDepthSearched * request_.depth, true, true, request_.depth}, stop_).value();
+    return lobes_.limits(speed, {kDepthSearched * request_.depth, true, true, request_.depth}, stop_);
   }
 
   // Bisection between a stable and an unstable speed.
@@ -90,6 +160,10 @@ class Adviser {
     p.best = clearOfEdges(p.best, begins ? p.from.speed : Rpm(0.0), ends ? p.to.speed : Rpm(0.0), p);
     p.limit = limitOf(at(p.best));
     p.open = nothingFound(p.limit);
+    p.expected = p.limit;
+    if (request_.spread.any()) {
+      p.expected = limitOf(lobes_.expected(p.best, {kDepthSearched * request_.depth, true, false, p.limit}, stop_));
+    }
     p.margin = p.limit / request_.depth - 1.0;
     p.width = std::min(p.best - p.from.speed, p.to.speed - p.best) / p.best;
     p.removal = removal(p.best);
@@ -174,7 +248,7 @@ class Adviser {
 
   const CutModel& model_;
   const AdviceRequest& request_;
-  const ExactLobes& lobes_;
+  const DoubtfulLobes& lobes_;
   std::stop_token stop_;
   SpeedAdvice advice_;
 };
@@ -188,7 +262,7 @@ Rpm speedLimitOfTool(const Tool& tool, double cuttingSpeed) {
 
 Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& request, const std::string& where,
                                  const std::stop_token& stop) {
-  const Result<ExactLobes> lobes = ExactLobes::make(model, where);
+  const Result<DoubtfulLobes> lobes = DoubtfulLobes::make(model, request.spread, where);
   if (!lobes) return lobes.error();
   if (Status ok = ExactLobes::checkDepth(kDepthSearched * request.depth); !ok) return ok.error();
   if (request.steps < 8 || request.steps > 5000) return Error{where, message("steps must be 8 to 5000")};
@@ -209,7 +283,7 @@ Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& req
     return Error{where, capped ? message("the tool's cutting speed lies below the speed range")
                                : message("the speed range is empty")};
   }
-  if (Status ok = lobes->checkSpeed(request.lowest); !ok) return ok.error();
+  if (Status ok = lobes->known().checkSpeed(request.lowest); !ok) return ok.error();
   const std::vector<Rpm> speeds = speedsAcross(model, request.lowest, highest, request.steps);
   if (speeds.back() < highest) {
     return Error{where, message("the speed range holds more lobes than can be looked at"),
@@ -219,6 +293,8 @@ Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& req
   options.limits = {kDepthSearched * request.depth, true, true, {}};
   options.threads = request.threads;
   Result<LobeSweep> sweep = sweepLobes(model, speeds, options, where, stop);
+  if (!sweep) return sweep.error();
+  if (sweep->finished) sweep = lobes->sweep(std::move(sweep.value()), speeds, options, where, stop);
   if (!sweep) return sweep.error();
   SpeedAdvice advice;
   if (sweep->finished) advice = Adviser(model, request, lobes.value(), stop).run(sweep.value());

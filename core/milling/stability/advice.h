@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/milling/stability/exact_lobes.h"
 #include "core/milling/stability/forced_vibration.h"
+#include "core/milling/stability/limit_band.h"
 
 namespace stillcut::milling {
 
@@ -22,6 +23,9 @@ struct AdviceRequest {
   int steps = 200;                     // speeds looked at before the edges are refined, 8 .. 5000; more where
                                        // the lobes are narrow
   int threads = 2;
+  // How well the model is known: with any doubt every limit below is the low end of the band (limit_band.h), so that
+  // nine cuts of ten like this one are stable there. As many times slower as it has samples.
+  ModelSpread spread{};
   Rpm finest{};  // edges and best speed are looked for no more finely than this; 0: to 0.05 and 0.5 rev/min
 };
 
@@ -42,6 +46,7 @@ struct SpeedPocket {
   PocketEdge from, to;
   Rpm best{};            // the speed with the largest limiting depth inside, to 1 rev/min, 1 % from an edge
   Metres limit{};        // limiting depth there; the largest one searched (4 x depth) where nothing limits it
+  Metres expected{};     // with doubt: the limiting depth of the model as it is; else `limit`
   bool open = false;     // nothing limits it: `limit` is as deep as was searched
   double margin = 0.0;   // limit/depth - 1 at `best`
   double width = 0.0;    // how far the speed may be off at `best`, smaller side, as a fraction of it

@@ -45,6 +45,17 @@ CutModel drawn(CutModel model, const ModelSpread& spread, Dice& dice) {
 
 }  // namespace
 
+std::vector<CutModel> drawnModels(const CutModel& model, const ModelSpread& spread) {
+  Dice dice;
+  std::vector<CutModel> models;
+  for (int i = 0; i < spread.samples; ++i) models.push_back(drawn(model, spread, dice));
+  return models;
+}
+
+std::size_t outsideBand(const ModelSpread& spread) {
+  return static_cast<std::size_t>(std::floor(kOutside * spread.samples));
+}
+
 Status check(const ModelSpread& spread, const std::string& where) {
   for (double v : {spread.frequency, spread.damping, spread.stiffness, spread.force, spread.processDamping}) {
     if (!(v >= 0.0) || v > 0.5) return Error{where, message("a spread must lie between 0 and 50 %")};
@@ -61,10 +72,9 @@ Result<LimitBands> limitBands(const CutModel& model, std::span<const Rpm> speeds
   options.limits = {maxAxialDepth, true, false, {}};
   options.threads = threads;
   std::vector<std::vector<double>> limits(speeds.size());
-  Dice dice;
   LimitBands bands;
-  for (int i = 0; i < spread.samples; ++i) {
-    const Result<LobeSweep> sweep = sweepLobes(drawn(model, spread, dice), speeds, options, where, stop);
+  for (const CutModel& one : drawnModels(model, spread)) {
+    const Result<LobeSweep> sweep = sweepLobes(one, speeds, options, where, stop);
     if (!sweep) return sweep.error();
     if (!sweep->finished) return bands;
     for (std::size_t k = 0; k < speeds.size(); ++k) {
@@ -72,7 +82,7 @@ Result<LimitBands> limitBands(const CutModel& model, std::span<const Rpm> speeds
       limits[k].push_back(l.hasLimit() ? l.crossings.front().depth.value : l.searchedTo.value);
     }
   }
-  const auto outside = static_cast<std::size_t>(std::floor(kOutside * spread.samples));
+  const std::size_t outside = outsideBand(spread);
   for (std::size_t k = 0; k < speeds.size(); ++k) {
     std::sort(limits[k].begin(), limits[k].end());
     bands.speeds.push_back({speeds[k], Metres(limits[k][outside]), Metres(limits[k][limits[k].size() - 1 - outside])});

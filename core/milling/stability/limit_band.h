@@ -27,6 +27,10 @@ struct ModelSpread {
 };
 Status check(const ModelSpread& spread, const std::string& where);
 
+// The cuts drawn, the same in every run; and how many of them lie on either side of the band.
+std::vector<CutModel> drawnModels(const CutModel& model, const ModelSpread& spread);
+std::size_t outsideBand(const ModelSpread& spread);
+
 struct LimitBand {
   Rpm speed{};
   Metres low{}, high{};  // where nothing limits a draw, the depth searched counts

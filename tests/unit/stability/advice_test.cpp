@@ -47,6 +47,41 @@ TEST(SpeedAdvice, PocketsAreStableInsideAndEndAtChatter) {
   }
 }
 
+// The same draws as the band of the limit: a pocket ends where the band's low end meets the depth.
+TEST(SpeedAdvice, WithDoubtKeepsClearOfTheBand) {
+  AdviceRequest request = requestAt(0.4e-3, 12000, 20000);
+  request.spread = {0.01, 0.1, 0.1, 0.1};
+  const auto sure = adviseSpeeds(textbookHalf(), requestAt(0.4e-3, 12000, 20000), "half");
+  const auto doubtful = adviseSpeeds(textbookHalf(), request, "half");
+  ASSERT_TRUE(sure.ok() && doubtful.ok());
+  ASSERT_TRUE(doubtful->finished);
+  ASSERT_FALSE(doubtful->pockets.empty());
+  const auto width = [](const SpeedAdvice& advice) {
+    Rpm sum{};
+    for (const SpeedPocket& p : advice.pockets) sum = sum + (p.to.speed - p.from.speed);
+    return sum.value;
+  };
+  EXPECT_LT(width(*doubtful), 0.95 * width(*sure));
+  const auto lowAt = [&](Rpm speed) {
+    const auto bands = limitBands(textbookHalf(), std::vector<Rpm>{speed}, Metres(1.6e-3), request.spread, 1, "half");
+    return bands->speeds.front().low.value;
+  };
+  int edges = 0;
+  for (const SpeedPocket& p : doubtful->pockets) {
+    EXPECT_NEAR(lowAt(p.best), p.limit.value, 1e-5 * p.limit.value) << p.best.value;
+    EXPECT_GT(p.expected, p.open ? 0.999 * p.limit : 1.02 * p.limit) << p.best.value;
+    for (const auto& [edge, away] : {std::pair{p.from, 0.999}, std::pair{p.to, 1.001}}) {
+      if (!(edge.frequency.value > 0.0)) continue;
+      ++edges;
+      EXPECT_GT(lowAt(edge.speed), 0.4e-3) << edge.speed.value;
+      EXPECT_LT(lowAt(away * edge.speed), 0.4e-3) << edge.speed.value;
+    }
+  }
+  EXPECT_GT(edges, 0);
+  request.spread.force = 0.9;
+  EXPECT_FALSE(adviseSpeeds(textbookHalf(), request, "half").ok());
+}
+
 TEST(SpeedAdvice, TheBestSpeedKeepsAwayFromTheEdgesOfItsPocket) {
   for (const double depth : {0.2e-3, 0.4e-3, 0.7e-3, 1.0e-3, 1.3e-3}) {
     const auto advice = adviseSpeeds(textbookHalf(), requestAt(depth, 5000, 20000), "half");
