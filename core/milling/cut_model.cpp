@@ -46,6 +46,10 @@ Engagement engagementBetween(double startAngle, double exitAngle) {
   return {0.5 * (from - to), offset >= 0.0 ? MillingDirection::Up : MillingDirection::Down, offset};
 }
 
+bool isShaped(const Tool& tool) {
+  return tool.cornerRadius.value > 0.0 || tool.serration.has_value();
+}
+
 bool takesPart(const Mode& mode) {
   return mode.direction[0] != 0.0 || mode.direction[1] != 0.0;
 }
@@ -92,6 +96,28 @@ Status checkMode(const Mode& m, const std::string& place) {
   return Done{};
 }
 
+Status checkShape(const Tool& t, const std::string& place) {
+  const auto bad = [&](Message what) { return Status(Error{place, what}); };
+  const double radius = 0.5 * t.diameter.value;
+  if (!(t.cornerRadius.value >= 0.0) || t.cornerRadius.value > radius * (1.0 + 1e-9)) {
+    return bad(message("the corner radius must lie between 0 and half the diameter"));
+  }
+  if (!t.serration) return Done{};
+  const Serration& s = *t.serration;
+  if (!(s.amplitude.value > 0.0) || s.amplitude.value > 0.5 * radius) {
+    return bad(message("the serration's amplitude must be above zero and below a quarter of the diameter"));
+  }
+  if (!(s.length.value > 0.0) || !isFinite(s.length))
+    return bad(message("the serration's wave length must be above zero"));
+  if (!s.phase.empty() && s.phase.size() != static_cast<std::size_t>(t.teeth)) {
+    return bad(message("the serration needs one phase per tooth"));
+  }
+  for (double phase : s.phase) {
+    if (!std::isfinite(phase)) return bad(message("the serration's phases must be finite"));
+  }
+  return Done{};
+}
+
 Status checkTool(const Tool& t, const std::string& place) {
   const auto bad = [&](Message what) { return Status(Error{place, what}); };
   const auto teeth = static_cast<std::size_t>(t.teeth);
@@ -117,7 +143,7 @@ Status checkTool(const Tool& t, const std::string& place) {
     const double helix = helixOf(t, j);
     if (!std::isfinite(helix) || std::abs(helix) > 1.4) return bad(message("helix must lie within 80 degrees"));
   }
-  return Done{};
+  return checkShape(t, place);
 }
 
 Status checkTurning(const CutModel& model, const std::string& place) {
@@ -127,7 +153,7 @@ Status checkTurning(const CutModel& model, const std::string& place) {
   if (!(kappa >= kLeast) || kappa > kMost)
     return bad(message("the edge's angle to the feed must lie in 5 to 150 degrees"));
   const Tool& t = model.tool;
-  if (!t.pitch.empty() || !t.toothHelix.empty() || !t.runout.empty() || t.helix != 0.0) {
+  if (!t.pitch.empty() || !t.toothHelix.empty() || !t.runout.empty() || t.helix != 0.0 || isShaped(t)) {
     return bad(message("edges that stand have no pitch, helix or runout"));
   }
   for (const Mode& m : model.modes) {

@@ -31,6 +31,14 @@ struct Mode {
 
 inline constexpr int kMostTeeth = 200;
 
+// Edges that wave along the axis: tooth j stands A sin(2 pi z/L - phase_j) further out at height z, so that where the
+// feed is small only some teeth cut and the delays are several.
+struct Serration {
+  Metres amplitude{}, length{};  // above 0
+  std::vector<double> phase;     // of each tooth [rad]; empty: even shares of a turn, in the order of the teeth
+  Metres feedPerTooth{};         // of the cut; 0: not known yet
+};
+
 struct Tool {
   int teeth = 2;  // 1 .. kMostTeeth
   Metres diameter{0.010};
@@ -38,7 +46,12 @@ struct Tool {
   double helix = 0.0;              // [rad]
   std::vector<double> toothHelix;  // [rad] of each tooth, where they differ; empty: `helix` for all
   std::vector<Metres> runout;      // radial, per tooth; empty: none
+  Metres cornerRadius{};           // 0: square; half the diameter: ball-nose
+  std::optional<Serration> serration;
 };
+
+// With a corner radius or serration: force and delay depend on the height.
+bool isShaped(const Tool& tool);
 
 // Helix of a tooth [rad].
 double helixOf(const Tool& tool, int tooth);

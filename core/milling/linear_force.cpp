@@ -24,6 +24,7 @@ Material linearisedAt(Material m, Metres chip) {
 }
 
 Metres lineariseForLobes(CutModel& model, Metres feedPerTooth) {
+  if (model.tool.serration && feedPerTooth.value > 0.0) model.tool.serration->feedPerTooth = feedPerTooth;
   if (model.material.exponent == 1.0) return {};
   const Metres chip = feedPerTooth.value > 0.0 ? meanChip(model, feedPerTooth) : model.material.usualChip;
   if (chip.value > 0.0) model.material = linearisedAt(model.material, chip);

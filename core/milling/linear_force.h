@@ -13,7 +13,8 @@ Metres meanChip(const CutModel& model, Metres feedPerTooth);  // of an edge that
 // x K h^(x-1) for K and exponent 1, without edge forces; `chip` above 0. An exponent of 1 is left as it is.
 Material linearisedAt(Material material, Metres chip);
 // What lobes can work with: a power law taken as straight at the mean chip of this feed, or at the material's usual
-// chip where the feed is 0. Gives the chip back; 0: nothing was done, the law is straight or no chip is known.
+// chip where the feed is 0. A serrated tool is told the feed. Gives the chip back; 0: nothing was done, the law is
+// straight or no chip is known.
 Metres lineariseForLobes(CutModel& model, Metres feedPerTooth);
 
 }  // namespace stillcut::milling

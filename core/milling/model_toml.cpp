@@ -28,6 +28,16 @@ Tool readTool(const config::TomlTable& t) {
   tool.helix = milling::inSi(t.numberOr("helix_deg", 0.0, -80.0, 80.0), kPerRadian);
   tool.toothHelix = inSi(t.numbersOr("tooth_helix_deg", {}), kPerRadian);
   tool.pitch = inSi(t.numbersOr("pitch_deg", {}), kPerRadian);
+  const double radius = 0.5 * kPerMetreMm * tool.diameter.value;
+  tool.cornerRadius = Metres(milling::inSi(t.numberOr("corner_radius_mm", 0.0, 0.0, radius), kPerMetreMm));
+  if (const config::TomlTable s = t.tableOr("serration"); s.present()) {
+    Serration serration;
+    serration.amplitude = Metres(milling::inSi(s.number("amplitude_mm", 1e-4, 100.0), kPerMetreMm));
+    serration.length = Metres(milling::inSi(s.number("wavelength_mm", 1e-2, 1000.0), kPerMetreMm));
+    serration.phase = inSi(s.numbersOr("phase_deg", {}), kPerRadian);
+    serration.feedPerTooth = Metres(milling::inSi(s.numberOr("feed_per_tooth_mm", 0.0, 0.0, 10.0), kPerMetreMm));
+    tool.serration = std::move(serration);
+  }
   for (double r : t.numbersOr("runout_um", {})) tool.runout.emplace_back(milling::inSi(r, kPerMetreUm));
   return tool;
 }
@@ -195,6 +205,24 @@ std::string materialText(const Material& m) {
          "\nprocess_damping_n_per_m = " + numberText(m.processDamping) + "\n" + spreadText(m) + "\n";
 }
 
+namespace {
+
+std::string shapeText(const Tool& t) {
+  std::string s;
+  if (t.cornerRadius.value > 0.0) s += "corner_radius_mm = " + numberText(t.cornerRadius.value, kPerMetreMm) + "\n";
+  if (!t.serration) return s;
+  const Serration& waves = *t.serration;
+  s += "\n[tool.serration]\namplitude_mm = " + numberText(waves.amplitude.value, kPerMetreMm) +
+       "\nwavelength_mm = " + numberText(waves.length.value, kPerMetreMm) + "\n";
+  if (!waves.phase.empty()) s += "phase_deg = " + list(waves.phase, kPerRadian) + "\n";
+  if (waves.feedPerTooth.value > 0.0) {
+    s += "feed_per_tooth_mm = " + numberText(waves.feedPerTooth.value, kPerMetreMm) + "\n";
+  }
+  return s;
+}
+
+}  // namespace
+
 std::string modelText(const CutModel& model) {
   const Tool& t = model.tool;
   std::string s = modesText(model.modes);
@@ -213,6 +241,7 @@ std::string modelText(const CutModel& model) {
     for (Metres r : t.runout) runout.push_back(r.value);
     s += "runout_um = " + list(runout, kPerMetreUm) + "\n";
   }
+  s += shapeText(t);
   s += "\n" + materialText(model.material);
   s += "[engagement]\nradial_immersion = " + numberText(model.engagement.radialImmersion) + "\nside = \"" +
        (model.engagement.side == MillingDirection::Up ? "up" : "down") + "\"\n";

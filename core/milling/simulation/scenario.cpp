@@ -110,6 +110,10 @@ int Scenario::chosenSteps() const {
 
 Status check(const Scenario& s, const std::string& where) {
   if (Status r = check(s.model, where); !r) return r;
+  if (isShaped(s.model.tool)) {
+    return Error{where + ": tool", message("the simulation takes no corner radius and no serration"),
+                 message("lobes and advice do")};
+  }
   if (s.workHolder) {
     if (Status r = check(*s.workHolder, where); !r) return r;
   }

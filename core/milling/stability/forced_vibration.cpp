@@ -86,7 +86,7 @@ std::optional<ForcedVibration> forcedVibration(const CutModel& model, Rpm speed,
   const ToothPattern pattern = toothPattern(model.tool);
   const bool runs =
       std::all_of(model.tool.runout.begin(), model.tool.runout.end(), [](Metres r) { return r.value == 0.0; });
-  if (!pattern.alike || !runs || model.turning) return std::nullopt;
+  if (!pattern.alike || !runs || model.turning || isShaped(model.tool)) return std::nullopt;
   const int teeth = model.tool.teeth;
   const double spindle = kTwoPi * toHertz(speed).value, trailing = pattern.trail.front() * depth.value;
   double highest = 0.0;

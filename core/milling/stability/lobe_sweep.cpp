@@ -103,8 +103,9 @@ Message coarseCells(const CutModel& model, std::span<const Rpm> speeds, const Sd
 }
 
 Message tooLow(const ExactLobes& lobes) {
-  return message("speeds below %1 rpm are unknown: for teeth that differ the exact method does not reach lower",
-                 std::to_string(std::lround(lobes.lowestSpeed().value)));
+  return message(
+      "speeds below %1 rpm are unknown: for teeth that differ or have a shape the exact method does not reach lower",
+      std::to_string(std::lround(lobes.lowestSpeed().value)));
 }
 
 }  // namespace

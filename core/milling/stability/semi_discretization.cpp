@@ -143,6 +143,10 @@ Result<SemiDiscretization> SemiDiscretization::make(const CutModel& model, const
   }
   Result<ExactLobes> lobes = ExactLobes::make(model, where);
   if (!lobes) return lobes.error();
+  if (isShaped(model.tool)) {
+    return Error{where + ": tool", message("semi-discretization takes no corner radius and no serration"),
+                 message("the exact method takes any")};
+  }
   if (!lobes->pattern().alike) {
     return Error{where + ": tool", message("semi-discretization needs teeth of one pitch and one helix"),
                  message("the exact method takes any")};

@@ -63,6 +63,10 @@ struct ZerothOrder::BorderPoint {
 Result<ZerothOrder> ZerothOrder::make(const CutModel& model, const std::string& where) {
   Result<ExactLobes> lobes = ExactLobes::make(model, where);
   if (!lobes) return lobes.error();
+  if (isShaped(model.tool)) {
+    return Error{where + ": tool", message("the zeroth order takes no corner radius and no serration"),
+                 message("the exact method takes any")};
+  }
   if (!lobes->pattern().alike) {
     return Error{where + ": tool", message("the zeroth order needs teeth of one pitch and one helix"),
                  message("the exact method takes any")};

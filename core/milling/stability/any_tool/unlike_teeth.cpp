@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "core/milling/stability/any_tool/gauss_points.h"
 
 namespace stillcut::milling {
 
 namespace {
 
 using Complex = std::complex<double>;
-
-constexpr double kRoughReach = 1.8;  // where lines begin to fade, in frequencies of the highest mode
-constexpr double kFineReach = 4.0;
-constexpr double kFade = 0.4;  // of that, until they are gone
 
 // Integral of exp(i p phi) over [a, b].
 Complex turned(int p, double a, double b) {
@@ -49,32 +46,6 @@ void keep(const std::array<Complex, 4>& h, const RegenerativeSystem& system, std
   }
   re.push_back(a);
   im.push_back(b);
-}
-
-struct GaussPoint {
-  double at, weight;  // over 0 .. 1
-};
-
-// Gauss-Legendre on 0 .. 1, by Newton on the Legendre polynomial.
-std::vector<GaussPoint> gaussPoints(int n) {
-  std::vector<GaussPoint> points;
-  for (int i = 0; i < n; ++i) {
-    double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1.0;
-    for (int round = 0; round < 20; ++round) {
-      double p = 1.0, before = 0.0;
-      for (int k = 1; k <= n; ++k) {
-        const double next = ((2.0 * k - 1.0) * x * p - (k - 1.0) * before) / k;
-        before = p;
-        p = next;
-      }
-      slope = n * (x * p - before) / (x * x - 1.0);
-      const double step = p / slope;
-      x -= step;
-      if (std::abs(step) < 1e-15) break;
-    }
-    points.push_back({0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope)});
-  }
-  return points;
 }
 
 // det(1 + w H) for an upper Hessenberg matrix: elimination with a pivot from two neighbouring rows.
@@ -113,30 +84,8 @@ UnlikeTeeth::UnlikeTeeth(const CutModel& model, const ToothPattern& pattern, Rpm
       tangential_(model.material.tangential),
       radial_(model.material.radial),
       damping_(model.material.processDamping / (0.5 * model.tool.diameter.value)),
-      straight_(systemAt(model, Metres(0.0))) {}
-
-double UnlikeTeeth::fadeFrom(Fineness fineness) const {
-  const double spacing = kTwoPi / period_;
-  return (fineness == Fineness::Rough ? kRoughReach : kFineReach) * straight_.highestOmega() + 2.0 * spacing;
-}
-
-int UnlikeTeeth::lines(Fineness fineness) const {
-  return static_cast<int>(linesAt(0.5, fineness).size());
-}
-
-std::vector<UnlikeTeeth::Line> UnlikeTeeth::linesAt(double angle, Fineness fineness) const {
-  const double spacing = kTwoPi / period_, from = fadeFrom(fineness), width = kFade * from;
-  const int most = static_cast<int>((from + width) / spacing) + 1;
-  std::vector<Line> lines;
-  for (int k = -most; k <= most; ++k) {
-    const double omega = angle / period_ + k * spacing;
-    const double into = (std::abs(omega) - from) / width;
-    if (into >= 1.0) continue;
-    const double c = into > 0.0 ? std::cos(0.5 * std::numbers::pi * into) : 1.0;
-    lines.push_back({omega, c * c * c * c, k});
-  }
-  return lines;
-}
+      straight_(systemAt(model, Metres(0.0))),
+      lines_(straight_.oscillators, period_) {}
 
 UnlikeTeeth::Sums UnlikeTeeth::sumsAt(double depth, int most) const {
   Sums sums;
@@ -167,7 +116,7 @@ UnlikeTeeth::Sums UnlikeTeeth::sumsAt(double depth, int most) const {
   return sums;
 }
 
-Eigen::MatrixXcd UnlikeTeeth::matrixAt(const std::vector<Line>& lines, const Sums& sums, double depth) const {
+Eigen::MatrixXcd UnlikeTeeth::matrixAt(const std::vector<HarmonicLine>& lines, const Sums& sums, double depth) const {
   const auto count = lines.size(), per = sums.delays.size();
   const auto axes = static_cast<std::size_t>(straight_.axes);
   std::vector<Complex> kept(count * per);  // 1 - exp(-i omega tau)
@@ -209,28 +158,16 @@ Eigen::MatrixXcd UnlikeTeeth::matrixAt(const std::vector<Line>& lines, const Sum
   return matrix;
 }
 
-// The product of (mu - mu_i) over the multipliers of the structure alone.
-Complex UnlikeTeeth::structure(double angle) const {
-  const Complex mu = std::polar(1.0, angle);
-  Complex product = 1.0;
-  for (const auto& o : straight_.oscillators) {
-    const double size = std::exp(-o.zeta * o.omega * period_);
-    const double turn = o.omega * std::sqrt(1.0 - o.zeta * o.zeta) * period_;
-    product *= (mu - std::polar(size, turn)) * (mu - std::polar(size, -turn));
-  }
-  return product;
-}
-
 bool UnlikeTeeth::sample(double depth, std::span<const double> angles, Fineness fineness, std::span<Complex> out,
                          WorkMeter& meter) const {
-  const int most = lines(fineness) + 2;
+  const int most = lines_.count(fineness) + 2;
   const Sums sums = sumsAt(depth, most);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    const std::vector<Line> lines = linesAt(angles[i], fineness);
+    const std::vector<HarmonicLine> lines = lines_.at(angles[i], fineness);
     const auto n = static_cast<double>(lines.size());
     const double size = n * straight_.axes;
     if (!meter.proceed(2.7 * size * size * size + 8.0 * n * n * static_cast<double>(sums.delays.size()))) return false;
-    out[i] = structure(angles[i]) * matrixAt(lines, sums, depth).partialPivLu().determinant();
+    out[i] = lines_.structure(angles[i]) * matrixAt(lines, sums, depth).partialPivLu().determinant();
   }
   return true;
 }
@@ -241,24 +178,24 @@ bool UnlikeTeeth::sampleDepths(std::span<const double> depths, std::span<const d
   if (!pattern_.straight || damping_ > 0.0 || depths.size() < kWorthIt)
     return CircleFunction::sampleDepths(depths, angles, rows, meter);
   rows.assign(depths.size(), std::vector<Complex>(angles.size()));
-  const Sums sums = sumsAt(1.0, lines(Fineness::Rough) + 2);
+  const Sums sums = sumsAt(1.0, lines_.count(Fineness::Rough) + 2);
   Eigen::MatrixXcd work;
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    Eigen::MatrixXcd matrix = matrixAt(linesAt(angles[i], Fineness::Rough), sums, 1.0);
+    Eigen::MatrixXcd matrix = matrixAt(lines_.at(angles[i], Fineness::Rough), sums, 1.0);
     const auto size = static_cast<double>(matrix.rows());
     if (!meter.proceed(14.0 * size * size * size + 8.0 * size * size * static_cast<double>(depths.size())))
       return false;
     matrix.diagonal().array() -= 1.0;
     const Eigen::MatrixXcd h = Eigen::HessenbergDecomposition<Eigen::MatrixXcd>(matrix).matrixH();
     for (std::size_t k = 0; k < depths.size(); ++k) {
-      rows[k][i] = structure(angles[i]) * determinantAt(h, depths[k], work);
+      rows[k][i] = lines_.structure(angles[i]) * determinantAt(h, depths[k], work);
     }
   }
   return true;
 }
 
 Hertz UnlikeTeeth::chatterFrequency(double angle, double depth, WorkMeter& meter) const {
-  const std::vector<Line> lines = linesAt(angle, Fineness::Rough);
+  const std::vector<HarmonicLine> lines = lines_.at(angle, Fineness::Rough);
   const auto size = static_cast<double>(lines.size()) * straight_.axes;
   if (!meter.proceed(8.0 * size * size * size)) return Hertz(0.0);
   const Sums sums = sumsAt(depth, static_cast<int>(lines.size()));

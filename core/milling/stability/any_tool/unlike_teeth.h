@@ -15,6 +15,7 @@
 
 #include "core/milling/cut_model.h"
 #include "core/milling/stability/any_tool/circle_function.h"
+#include "core/milling/stability/any_tool/harmonic_lines.h"
 #include "core/milling/stability/any_tool/tooth_pattern.h"
 #include "core/milling/stability/regenerative_system.h"
 
@@ -33,15 +34,10 @@ class UnlikeTeeth final : public CircleFunction {
   Hertz chatterFrequency(double angle, double depth, WorkMeter& meter) const override;
   double growthAt(double depth) const override;
   // Lines at this speed, of which the work grows with the third power.
-  int lines(Fineness fineness) const;
+  int lines(Fineness fineness) const { return lines_.count(fineness); }
 
  private:
   using Complex = std::complex<double>;
-  struct Line {
-    double omega = 0.0;  // [rad/s], with its sign
-    double fade = 1.0;
-    int number = 0;
-  };
   // What does not depend on the frequency, for one depth.
   struct Sums {
     std::vector<Complex> phases;   // [m + most][tooth, height]: exp(i m repeats angle), weighed over the heights
@@ -51,11 +47,8 @@ class UnlikeTeeth final : public CircleFunction {
     int most = 0;                  // largest m
   };
 
-  std::vector<Line> linesAt(double angle, Fineness fineness) const;
-  double fadeFrom(Fineness fineness) const;
   Sums sumsAt(double depth, int most) const;
-  Eigen::MatrixXcd matrixAt(const std::vector<Line>& lines, const Sums& sums, double depth) const;
-  Complex structure(double angle) const;
+  Eigen::MatrixXcd matrixAt(const std::vector<HarmonicLine>& lines, const Sums& sums, double depth) const;
 
   ToothPattern pattern_;
   double speed_;   // [rad/s]
@@ -63,6 +56,7 @@ class UnlikeTeeth final : public CircleFunction {
   double start_, exit_;
   double tangential_, radial_, damping_;  // damping [N/m^2], over the radius
   RegenerativeSystem straight_;           // of the mean pitch: the oscillators, and estimates
+  HarmonicLines lines_;
 };
 
 }  // namespace stillcut::milling
