@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace stillcut::milling {
 
@@ -54,6 +55,26 @@ bool takesPart(const Mode& mode) {
   return mode.direction[0] != 0.0 || mode.direction[1] != 0.0;
 }
 
+bool changesWithSpeed(const CutModel& model) {
+  return std::any_of(model.modes.begin(), model.modes.end(), [](const Mode& m) { return !m.atSpeeds.empty(); });
+}
+
+CutModel modelAt(CutModel model, Rpm speed) {
+  for (Mode& m : model.modes) {
+    const std::vector<ModeAtSpeed> table = std::exchange(m.atSpeeds, {});
+    if (table.empty()) continue;
+    std::size_t next = 0;
+    while (next < table.size() && table[next].speed < speed) ++next;
+    const ModeAtSpeed& high = table[std::min(next, table.size() - 1)];
+    const ModeAtSpeed& low = table[next > 0 ? next - 1 : 0];
+    const double into = high.speed > low.speed ? std::min(1.0, (speed - low.speed) / (high.speed - low.speed)) : 0.0;
+    m.frequency = low.frequency + into * (high.frequency - low.frequency);
+    m.damping = low.damping + into * (high.damping - low.damping);
+    m.stiffness = low.stiffness + into * (high.stiffness - low.stiffness);
+  }
+  return model;
+}
+
 double chipPerFeed(const CutModel& model) {
   return model.turning ? std::sin(model.turning->edgeAngle) : 1.0;
 }
@@ -93,6 +114,13 @@ Status checkMode(const Mode& m, const std::string& place) {
   if (!(m.stiffness > 0.0) || !std::isfinite(m.stiffness)) return bad(message("stiffness must be above zero"));
   const double size = sizeOf(m);
   if (!(size > 0.0) || !std::isfinite(size)) return bad(message("direction must not be zero"));
+  for (std::size_t i = 0; i < m.atSpeeds.size(); ++i) {
+    const ModeAtSpeed& row = m.atSpeeds[i];
+    const bool rises = i == 0 ? row.speed.value >= 0.0 : row.speed > m.atSpeeds[i - 1].speed;
+    if (!rises || !isFinite(row.speed)) return bad(message("the speeds of a mode must rise from 0 or more"));
+    const Mode one{row.frequency, row.damping, row.stiffness, m.direction, m.directionZ};
+    if (Status s = checkMode(one, place); !s) return s;
+  }
   return Done{};
 }
 

@@ -16,14 +16,23 @@
 
 namespace stillcut::milling {
 
+struct ModeAtSpeed {
+  Rpm speed{};
+  Hertz frequency{};
+  double damping = 0.0, stiffness = 0.0;
+};
+
 struct Mode {
   Hertz frequency{};                          // undamped natural frequency
   double damping = 0.0;                       // ratio, > 0
   double stiffness = 0.0;                     // modal stiffness at the tool tip [N/m], > 0
   std::array<double, 2> direction{1.0, 0.0};  // participation of x and y; mass-normalised direction, not nec. unit
   double directionZ = 0.0;                    // and of z
-  bool ofPart = false;                        // of the part, not the tool: what counts is how one moves to the other
-  double mass() const {                       // [kg]
+  // Where it changes with the spindle's speed, by rising speed: straight lines between, the ends held. What stands
+  // above is then the mode at the first of them. Empty: it does not.
+  std::vector<ModeAtSpeed> atSpeeds{};
+  bool ofPart = false;   // of the part, not the tool: what counts is how one moves to the other
+  double mass() const {  // [kg]
     const double w = kTwoPi * frequency.value;
     return stiffness / (w * w);
   }
@@ -106,6 +115,10 @@ struct CutModel {
   Engagement engagement;           // of no use in turning
   std::optional<Turning> turning;  // empty: milling
 };
+
+bool changesWithSpeed(const CutModel& model);
+// With the modes that it has at a speed.
+CutModel modelAt(CutModel model, Rpm speed);
 
 // A turning cut as a tooth that stands at 90 degrees sees it: modes along n and z as x and y, forces per depth of cut.
 // A milling cut is given back as it is.

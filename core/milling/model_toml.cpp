@@ -93,15 +93,42 @@ std::string list(const std::vector<double>& values, double perUnit) {
   return s + "]";
 }
 
+// One column of the table that a mode then is.
+std::vector<double> column(const config::TomlTable& t, const char* key, std::size_t rows) {
+  std::vector<double> values = t.numbers(key);
+  if (values.size() != rows) t.refuse(key, message("one number for each of the speeds is needed"));
+  values.resize(rows, 1.0);
+  return values;
+}
+
+void readAtSpeeds(const config::TomlTable& t, Mode& mode) {
+  const std::vector<double> speeds = t.numbers("speeds_rpm");
+  const auto frequencies = column(t, "frequency_hz", speeds.size());
+  const auto dampings = column(t, "damping", speeds.size());
+  const auto stiffnesses = column(t, "stiffness_n_per_m", speeds.size());
+  if (speeds.empty()) t.refuse("speeds_rpm", message("at least one speed is needed"));
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    mode.atSpeeds.push_back({Rpm(speeds[i]), Hertz(frequencies[i]), dampings[i], stiffnesses[i]});
+  }
+  if (speeds.empty()) return;
+  mode.frequency = mode.atSpeeds.front().frequency;
+  mode.damping = mode.atSpeeds.front().damping;
+  mode.stiffness = mode.atSpeeds.front().stiffness;
+}
+
 }  // namespace
 
 std::vector<Mode> readModes(const config::TomlTable& root) {
   std::vector<Mode> modes;
   for (const config::TomlTable& t : root.tables("mode")) {
     Mode m;
-    m.frequency = Hertz(t.number("frequency_hz", 0.01, 1e6));
-    m.damping = t.number("damping", 1e-6, 0.999);
-    m.stiffness = t.number("stiffness_n_per_m", 1.0, 1e15);
+    if (t.has("speeds_rpm")) {
+      readAtSpeeds(t, m);
+    } else {
+      m.frequency = Hertz(t.number("frequency_hz", 0.01, 1e6));
+      m.damping = t.number("damping", 1e-6, 0.999);
+      m.stiffness = t.number("stiffness_n_per_m", 1.0, 1e15);
+    }
     const std::vector<double> d = t.numbers("direction");
     if (d.size() == 2 || d.size() == 3) {
       m.direction = {d[0], d[1]};
@@ -175,13 +202,33 @@ CutModel readModel(const config::TomlTable& root, const ModelParts& parts) {
   return model;
 }
 
+namespace {
+
+std::string modeLines(const Mode& m) {
+  return "frequency_hz = " + numberText(m.frequency.value) + "\ndamping = " + numberText(m.damping) +
+         "\nstiffness_n_per_m = " + numberText(m.stiffness) + "\n";
+}
+
+std::string tableLines(const Mode& m) {
+  std::vector<double> speeds, frequencies, dampings, stiffnesses;
+  for (const ModeAtSpeed& row : m.atSpeeds) {
+    speeds.push_back(row.speed.value);
+    frequencies.push_back(row.frequency.value);
+    dampings.push_back(row.damping);
+    stiffnesses.push_back(row.stiffness);
+  }
+  return "speeds_rpm = " + list(speeds, 1.0) + "\nfrequency_hz = " + list(frequencies, 1.0) +
+         "\ndamping = " + list(dampings, 1.0) + "\nstiffness_n_per_m = " + list(stiffnesses, 1.0) + "\n";
+}
+
+}  // namespace
+
 std::string modesText(const std::vector<Mode>& modes) {
   std::string s;
   for (const Mode& m : modes) {
-    s += "[[mode]]\nfrequency_hz = " + numberText(m.frequency.value) + "\ndamping = " + numberText(m.damping) +
-         "\nstiffness_n_per_m = " + numberText(m.stiffness) + "\ndirection = [" + numberText(m.direction[0]) + ", " +
-         numberText(m.direction[1]) + (m.directionZ != 0.0 ? ", " + numberText(m.directionZ) : "") + "]\n" +
-         (m.ofPart ? "of = \"part\"\n\n" : "\n");
+    s += "[[mode]]\n" + (m.atSpeeds.empty() ? modeLines(m) : tableLines(m)) + "direction = [" +
+         numberText(m.direction[0]) + ", " + numberText(m.direction[1]) +
+         (m.directionZ != 0.0 ? ", " + numberText(m.directionZ) : "") + "]\n" + (m.ofPart ? "of = \"part\"\n\n" : "\n");
   }
   return s;
 }

@@ -26,6 +26,16 @@ bool same(double a, double b) {
   return std::abs(a - b) <= kSameCoefficient * std::max(std::abs(a), std::abs(b));
 }
 
+// As the file has it where nobody changed it: the page shows neither its motion along z nor what the speed makes of it.
+milling::Mode modeOf(const ui::EnteredMode& entered, const std::vector<milling::Mode>& ofFile) {
+  for (const milling::Mode& m : ofFile) {
+    const bool unchanged = same(m.frequency.value, entered.frequency.value) && same(m.damping, entered.damping) &&
+                           same(m.stiffness, entered.stiffness) && m.direction == entered.direction;
+    if (unchanged) return m;
+  }
+  return {entered.frequency, entered.damping, entered.stiffness, entered.direction};
+}
+
 // The file's cut where there is one, and over it what stands in the fields.
 Result<milling::CutModel> modelOf(const ui::EnteredCut& cut) {
   milling::CutModel model;
@@ -35,8 +45,8 @@ Result<milling::CutModel> modelOf(const ui::EnteredCut& cut) {
     if (!loaded) return loaded.error();
     model = std::move(loaded->model);
   }
-  model.modes.clear();
-  for (const ui::EnteredMode& m : cut.modes) model.modes.push_back({m.frequency, m.damping, m.stiffness, m.direction});
+  const std::vector<milling::Mode> ofFile = std::exchange(model.modes, {});
+  for (const ui::EnteredMode& m : cut.modes) model.modes.push_back(modeOf(m, ofFile));
   if (model.modes.empty()) {
     return Error{message("modes"), message("none is entered"),
                  message("type frequency, damping and stiffness, or open a file with modes")};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stillcut::milling {
 
@@ -53,7 +54,9 @@ int forcedPeriods(const Tool& t) {
   return same(t.pitch) && same(t.runout) && same(t.toothHelix) ? t.teeth : 1;
 }
 
+// With the modes of the programmed speed, and a work-holder's.
 Scenario withFlexure(Scenario s) {
+  s.model = modelAt(std::move(s.model), s.programme.speed);
   if (!s.workHolder) return s;
   for (const Mode& mode : workHolderModes(*s.workHolder)) s.model.modes.push_back(mode);
   return s;

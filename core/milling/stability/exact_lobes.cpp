@@ -129,6 +129,7 @@ Status ExactLobes::checkPattern(Rpm speed, Metres largest) const {
 }
 
 bool ExactLobes::possible(Rpm speed) const {
+  if (changesWithSpeed(model_)) return ExactLobes(modelAt(model_, speed), system_).possible(speed);
   if (isShaped(model_.tool)) return ShapedTeeth(model_, pattern_, speed).lines(Fineness::Rough) <= kMostLines;
   return pattern_.alike || UnlikeTeeth(model_, pattern_, speed).lines(Fineness::Rough) <= kMostLines;
 }
@@ -157,6 +158,10 @@ Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, c
 Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, WorkMeter& meter) const {
   if (Status ok = checkSpeed(speed); !ok) return ok.error();
   if (Status ok = checkDepth(options.maxAxialDepth); !ok) return ok.error();
+  if (changesWithSpeed(model_)) {
+    const CutModel here = modelAt(model_, speed);
+    return ExactLobes(here, systemAt(here, Metres(0.0))).limits(speed, options, meter);
+  }
   if (isShaped(model_.tool)) {
     if (Status ok = checkPattern(speed, options.maxAxialDepth); !ok) return ok.error();
     return shapedLimits(ShapedTeeth(model_, pattern_, speed), model_.tool, speed, options, meter);

@@ -83,6 +83,7 @@ SurfaceError wall(const std::vector<Complex>& y, int teeth, double angle, double
 }  // namespace
 
 std::optional<ForcedVibration> forcedVibration(const CutModel& model, Rpm speed, Metres depth, Metres feedPerTooth) {
+  if (changesWithSpeed(model)) return forcedVibration(modelAt(model, speed), speed, depth, feedPerTooth);
   const ToothPattern pattern = toothPattern(model.tool);
   const bool runs =
       std::all_of(model.tool.runout.begin(), model.tool.runout.end(), [](Metres r) { return r.value == 0.0; });

@@ -30,9 +30,15 @@ class Dice {
 
 CutModel drawn(CutModel model, const ModelSpread& spread, Dice& dice) {
   for (Mode& m : model.modes) {
+    const Mode before = m;
     m.frequency = Hertz(dice.around(m.frequency.value, spread.frequency));
     m.damping = std::min(0.99, dice.around(m.damping, spread.damping));
     m.stiffness = dice.around(m.stiffness, spread.stiffness);
+    for (ModeAtSpeed& row : m.atSpeeds) {
+      row.frequency = row.frequency * (m.frequency / before.frequency);
+      row.damping = std::min(0.99, row.damping * m.damping / before.damping);
+      row.stiffness *= m.stiffness / before.stiffness;
+    }
   }
   const double force = dice.around(1.0, spread.force);
   model.material.tangential *= force;

@@ -133,7 +133,11 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
       const Result<SemiDiscretization> sdm = SemiDiscretization::make(model, options.sdm, where);
       if (!sdm) return sdm.error();
       if (Message coarse = coarseCells(model, speeds, options.sdm); !coarse.empty()) warnings.push_back(coarse);
-      const SolveOne solve = [&](Rpm speed, Metres) {
+      const SolveOne solve = [&](Rpm speed, Metres) -> Result<SpeedLimits> {
+        if (changesWithSpeed(model)) {
+          const auto here = SemiDiscretization::make(modelAt(model, speed), options.sdm, where);
+          return here ? here->limit(speed, options.limits.maxAxialDepth, 80, stop) : here.error();
+        }
         return sdm->limit(speed, options.limits.maxAxialDepth, 80, stop);
       };
       return sweepWith(solve, speeds, options, stop, std::move(warnings));
@@ -148,7 +152,13 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
   if (model.material.processDamping != 0.0) {
     warnings.push_back(message("the zeroth order leaves out process damping: its limits at low speed are too low"));
   }
-  const SolveOne solve = [&](Rpm speed, Metres) { return zoa->limit(speed, options.limits.maxAxialDepth, stop); };
+  const SolveOne solve = [&](Rpm speed, Metres) -> Result<SpeedLimits> {
+    if (changesWithSpeed(model) && !options.measured) {
+      const auto here = ZerothOrder::make(modelAt(model, speed), where);
+      return here ? here->limit(speed, options.limits.maxAxialDepth, stop) : here.error();
+    }
+    return zoa->limit(speed, options.limits.maxAxialDepth, stop);
+  };
   return sweepWith(solve, speeds, options, stop, std::move(warnings));
 }
 
