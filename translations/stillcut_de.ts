@@ -4348,10 +4348,6 @@
         <translation>[Volt, Wert]</translation>
     </message>
     <message>
-        <source>a direction is two numbers, along x and y</source>
-        <translation>eine Richtung sind zwei Zahlen, entlang x und y</translation>
-    </message>
-    <message>
         <source>allowed: %1 to %2, or auto</source>
         <translation>erlaubt: %1 bis %2 oder auto</translation>
     </message>
@@ -4558,10 +4554,6 @@
     <message>
         <source>%1 of %2 rows hold no number where one belongs and are missing; the first: %3</source>
         <translation>in %1 von %2 Zeilen fehlt eine Zahl, sie gelten als Lücke; die erste: %3</translation>
-    </message>
-    <message>
-        <source>%1 rpm is too low for teeth that differ</source>
-        <translation>%1 1/min ist zu niedrig für ungleiche Zähne</translation>
     </message>
     <message>
         <source>%1; the machine before runs again, authority is Off</source>
@@ -5704,8 +5696,112 @@
         <translation>Werte mal Kanäle sichern, einen Block hinter dem anderen</translation>
     </message>
     <message>
-        <source>speeds below %1 rpm are unknown: for teeth that differ the exact method does not reach lower</source>
-        <translation>Drehzahlen unter %1 U/min sind unbekannt: Bei ungleichen Zähnen reicht das exakte Verfahren nicht tiefer</translation>
+        <source>%1 rpm is too low for teeth that differ or have a shape</source>
+        <translation>%1 U/min ist zu niedrig für Zähne, die sich unterscheiden oder eine Form haben</translation>
+    </message>
+    <message>
+        <source>a direction is three numbers: along the feed, into the part, along the cutting speed</source>
+        <translation>Eine Richtung sind drei Zahlen: entlang des Vorschubs, in das Werkstück hinein, entlang der Schnittgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a direction is two or three numbers, along x, y and z</source>
+        <translation>Eine Richtung sind zwei oder drei Zahlen, entlang x, y und z</translation>
+    </message>
+    <message>
+        <source>a turning cut has no tool that turns: [turning] says it all</source>
+        <translation>Beim Drehen dreht sich kein Werkzeug: [turning] sagt alles</translation>
+    </message>
+    <message>
+        <source>at least one speed is needed</source>
+        <translation>Mindestens eine Drehzahl ist nötig</translation>
+    </message>
+    <message>
+        <source>edges that stand have no pitch, helix or runout</source>
+        <translation>Schneiden, die stehen, haben weder Teilung noch Drall noch Rundlauffehler</translation>
+    </message>
+    <message>
+        <source>give the feed per tooth</source>
+        <translation>Vorschub je Zahn angeben</translation>
+    </message>
+    <message>
+        <source>is a turning cut, and this page enters milling cuts</source>
+        <translation>ist ein Drehschnitt, und auf dieser Seite werden Fräsungen eingegeben</translation>
+    </message>
+    <message>
+        <source>lobes and advice do</source>
+        <translation>Stabilitätskarten und Empfehlungen tun es</translation>
+    </message>
+    <message>
+        <source>no mode moves the edge across the cut or along the cutting speed</source>
+        <translation>Keine Mode bewegt die Schneide quer zum Schnitt oder entlang der Schnittgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>no mode moves the tool along x or y</source>
+        <translation>Keine Mode bewegt das Werkzeug entlang x oder y</translation>
+    </message>
+    <message>
+        <source>one number for each of the speeds is needed</source>
+        <translation>Für jede der Drehzahlen ist eine Zahl nötig</translation>
+    </message>
+    <message>
+        <source>semi-discretization takes no corner radius and no serration</source>
+        <translation>Die Semidiskretisierung nimmt weder Eckenradius noch verzahnte Schneide</translation>
+    </message>
+    <message>
+        <source>speeds below %1 rpm are unknown: for teeth that differ or have a shape the exact method does not reach lower</source>
+        <translation>Drehzahlen unter %1 U/min sind unbekannt: für Zähne, die sich unterscheiden oder eine Form haben, reicht das exakte Verfahren nicht tiefer</translation>
+    </message>
+    <message>
+        <source>stillcut-cli lobes takes it</source>
+        <translation>stillcut-cli lobes nimmt ihn</translation>
+    </message>
+    <message>
+        <source>the corner radius must lie between 0 and half the diameter</source>
+        <translation>Der Eckenradius muss zwischen 0 und dem halben Durchmesser liegen</translation>
+    </message>
+    <message>
+        <source>the edge&apos;s angle to the feed must lie in 5 to 150 degrees</source>
+        <translation>Der Winkel der Schneide zum Vorschub muss zwischen 5 und 150 Grad liegen</translation>
+    </message>
+    <message>
+        <source>the serration needs one phase per tooth</source>
+        <translation>Die Verzahnung der Schneide braucht eine Phase je Zahn</translation>
+    </message>
+    <message>
+        <source>the serration&apos;s amplitude must be above zero and below a quarter of the diameter</source>
+        <translation>Die Amplitude der Verzahnung der Schneide muss über null und unter einem Viertel des Durchmessers liegen</translation>
+    </message>
+    <message>
+        <source>the serration&apos;s phases must be finite</source>
+        <translation>Die Phasen der Verzahnung der Schneide müssen endlich sein</translation>
+    </message>
+    <message>
+        <source>the serration&apos;s wave length must be above zero</source>
+        <translation>Die Wellenlänge der Verzahnung der Schneide muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the simulation takes no corner radius and no serration</source>
+        <translation>Die Simulation nimmt weder Eckenradius noch verzahnte Schneide</translation>
+    </message>
+    <message>
+        <source>the speeds of a mode must rise from 0 or more</source>
+        <translation>Die Drehzahlen einer Mode müssen ab 0 oder mehr ansteigen</translation>
+    </message>
+    <message>
+        <source>the zeroth order takes no corner radius and no serration</source>
+        <translation>Die nullte Ordnung nimmt weder Eckenradius noch verzahnte Schneide</translation>
+    </message>
+    <message>
+        <source>what one edge feels across, the edge opposite feels the other way</source>
+        <translation>Was eine Schneide quer spürt, spürt die gegenüber umgekehrt</translation>
+    </message>
+    <message>
+        <source>which teeth of a serrated tool cut depends on the feed</source>
+        <translation>Welche Zähne eines Werkzeugs mit verzahnter Schneide schneiden, hängt vom Vorschub ab</translation>
+    </message>
+    <message>
+        <source>with several edges the modes may move along the feed and the cutting speed only</source>
+        <translation>Bei mehreren Schneiden dürfen sich die Moden nur entlang des Vorschubs und der Schnittgeschwindigkeit bewegen</translation>
     </message>
 </context>
 <context>
@@ -8272,6 +8368,18 @@
         <source>JOINED</source>
         <translation>VERBUND</translation>
     </message>
+    <message>
+        <source>, marked: was chatter</source>
+        <translation>, markiert: richtiger Alarm</translation>
+    </message>
+    <message>
+        <source>, marked: false alarm</source>
+        <translation>, markiert: Fehlalarm</translation>
+    </message>
+    <message>
+        <source>Stable again after %1</source>
+        <translation>Wieder stabil nach %1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -8691,17 +8799,25 @@
         <source>Nothing at %1. The nearest is chosen</source>
         <translation>Nichts um %1. Das Nächstliegende ist gewählt</translation>
     </message>
+    <message>
+        <source>WAS CHATTER</source>
+        <translation>RICHTIGER ALARM</translation>
+    </message>
+    <message>
+        <source>The chosen alarm was chatter</source>
+        <translation>Der gewählte Alarm war Rattern</translation>
+    </message>
+    <message>
+        <source>FALSE ALARM</source>
+        <translation>FEHLALARM</translation>
+    </message>
+    <message>
+        <source>The chosen alarm was no chatter</source>
+        <translation>Der gewählte Alarm war kein Rattern</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::FileAnswerPanel</name>
-    <message>
-        <source>Teeth</source>
-        <translation>Zähne</translation>
-    </message>
-    <message>
-        <source>Speed, rev/min</source>
-        <translation>Drehzahl, 1/min</translation>
-    </message>
     <message>
         <source>OPEN A RECORDING</source>
         <translation>AUFNAHME ÖFFNEN</translation>
@@ -8750,6 +8866,22 @@
         <source>Teeth by the signal: %1, or %2</source>
         <translation>Zähne nach dem Signal: %1, oder %2</translation>
     </message>
+    <message>
+        <source>Compared with %1</source>
+        <translation>Verglichen mit %1</translation>
+    </message>
+    <message>
+        <source>As loud in the cut as the first, if both were recorded alike</source>
+        <translation>Im Schnitt so laut wie die erste, wenn beide gleich aufgenommen wurden</translation>
+    </message>
+    <message>
+        <source>%1 louder in the cut than the first, if both were recorded alike</source>
+        <translation>Im Schnitt %1 lauter als die erste, wenn beide gleich aufgenommen wurden</translation>
+    </message>
+    <message>
+        <source>%1 quieter in the cut than the first, if both were recorded alike</source>
+        <translation>Im Schnitt %1 leiser als die erste, wenn beide gleich aufgenommen wurden</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::FilePage</name>
@@ -8764,14 +8896,6 @@
     <message>
         <source>Play the sound of the stretch on show</source>
         <translation>Den gezeigten Abschnitt als Ton abspielen</translation>
-    </message>
-    <message>
-        <source>OVERLAY</source>
-        <translation>DANEBEN</translation>
-    </message>
-    <message>
-        <source>Lay a second recording beside this one</source>
-        <translation>Eine zweite Aufnahme daneben legen</translation>
     </message>
     <message>
         <source>PICTURE</source>
@@ -8798,10 +8922,6 @@
         <translation>Aufnahme öffnen</translation>
     </message>
     <message>
-        <source>Open a recording beside it</source>
-        <translation>Aufnahme daneben öffnen</translation>
-    </message>
-    <message>
         <source>STOP</source>
         <translation>STOPP</translation>
     </message>
@@ -8812,6 +8932,22 @@
     <message>
         <source>%1 cannot be written</source>
         <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>COMPARE</source>
+        <translation>VERGLEICH</translation>
+    </message>
+    <message>
+        <source>Compare with a second recording</source>
+        <translation>Mit einer zweiten Aufzeichnung vergleichen</translation>
+    </message>
+    <message>
+        <source>Open the recording to compare with</source>
+        <translation>Aufzeichnung zum Vergleich öffnen</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>Vergleich</translation>
     </message>
 </context>
 <context>
@@ -8829,10 +8965,6 @@
         <translation>, Ordnung %1</translation>
     </message>
     <message>
-        <source>, beside %1</source>
-        <translation>, daneben %1</translation>
-    </message>
-    <message>
         <source>SPECTRUM AT A, %1</source>
         <translation>SPEKTRUM BEI A, %1</translation>
     </message>
@@ -8847,6 +8979,10 @@
     <message>
         <source>chatter %1</source>
         <translation>Rattern %1</translation>
+    </message>
+    <message>
+        <source>, compared %1</source>
+        <translation>, Vergleich %1</translation>
     </message>
 </context>
 <context>
@@ -9576,6 +9712,17 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::QuestionFields</name>
+    <message>
+        <source>Teeth</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>Speed, rev/min</source>
+        <translation>Drehzahl, 1/min</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::RuleEditor</name>
     <message>
         <source>SPEED</source>
@@ -10227,6 +10374,14 @@
     <message>
         <source>LIMITS</source>
         <translation>GRENZEN</translation>
+    </message>
+    <message>
+        <source>START</source>
+        <translation>START</translation>
+    </message>
+    <message>
+        <source>Save what was changed and begin with it</source>
+        <translation>Geändertes speichern und damit beginnen</translation>
     </message>
 </context>
 <context>

@@ -4348,10 +4348,6 @@
         <translation>[伏，值]</translation>
     </message>
     <message>
-        <source>a direction is two numbers, along x and y</source>
-        <translation>方向是两个数，沿 x 和沿 y</translation>
-    </message>
-    <message>
         <source>allowed: %1 to %2, or auto</source>
         <translation>允许：%1 至 %2，或 auto</translation>
     </message>
@@ -4558,10 +4554,6 @@
     <message>
         <source>%1 of %2 rows hold no number where one belongs and are missing; the first: %3</source>
         <translation>%2 行中有 %1 行缺少数字，按缺失处理；第一处：%3</translation>
-    </message>
-    <message>
-        <source>%1 rpm is too low for teeth that differ</source>
-        <translation>对于不等齿，%1 rpm 过低</translation>
     </message>
     <message>
         <source>%1; the machine before runs again, authority is Off</source>
@@ -5704,8 +5696,112 @@
         <translation>按“样本×通道”保存，各块依次相接</translation>
     </message>
     <message>
-        <source>speeds below %1 rpm are unknown: for teeth that differ the exact method does not reach lower</source>
-        <translation>低于 %1 rpm 的转速未知：对于不同的刀齿，精确方法到不了更低</translation>
+        <source>%1 rpm is too low for teeth that differ or have a shape</source>
+        <translation>对于各不相同或有成形刃的齿，%1 rpm 太低</translation>
+    </message>
+    <message>
+        <source>a direction is three numbers: along the feed, into the part, along the cutting speed</source>
+        <translation>方向是三个数：沿进给、指向工件、沿切削速度</translation>
+    </message>
+    <message>
+        <source>a direction is two or three numbers, along x, y and z</source>
+        <translation>方向是两个或三个数，沿 x、y 和 z</translation>
+    </message>
+    <message>
+        <source>a turning cut has no tool that turns: [turning] says it all</source>
+        <translation>车削中刀具不转动：[turning] 已说明一切</translation>
+    </message>
+    <message>
+        <source>at least one speed is needed</source>
+        <translation>至少需要一个转速</translation>
+    </message>
+    <message>
+        <source>edges that stand have no pitch, helix or runout</source>
+        <translation>不转动的切削刃没有齿距、螺旋角和跳动</translation>
+    </message>
+    <message>
+        <source>give the feed per tooth</source>
+        <translation>请给出每齿进给</translation>
+    </message>
+    <message>
+        <source>is a turning cut, and this page enters milling cuts</source>
+        <translation>是车削，而本页输入的是铣削</translation>
+    </message>
+    <message>
+        <source>lobes and advice do</source>
+        <translation>稳定性叶瓣图和建议支持</translation>
+    </message>
+    <message>
+        <source>no mode moves the edge across the cut or along the cutting speed</source>
+        <translation>没有任何模态使切削刃沿切屑厚度方向或切削速度方向运动</translation>
+    </message>
+    <message>
+        <source>no mode moves the tool along x or y</source>
+        <translation>没有任何模态使刀具沿 x 或 y 运动</translation>
+    </message>
+    <message>
+        <source>one number for each of the speeds is needed</source>
+        <translation>每个转速都需要一个数</translation>
+    </message>
+    <message>
+        <source>semi-discretization takes no corner radius and no serration</source>
+        <translation>半离散法不支持圆角半径和波形刃</translation>
+    </message>
+    <message>
+        <source>speeds below %1 rpm are unknown: for teeth that differ or have a shape the exact method does not reach lower</source>
+        <translation>低于 %1 rpm 的转速未知：对于各不相同或有成形刃的齿，精确方法达不到更低</translation>
+    </message>
+    <message>
+        <source>stillcut-cli lobes takes it</source>
+        <translation>stillcut-cli lobes 支持它</translation>
+    </message>
+    <message>
+        <source>the corner radius must lie between 0 and half the diameter</source>
+        <translation>圆角半径须在 0 和直径的一半之间</translation>
+    </message>
+    <message>
+        <source>the edge&apos;s angle to the feed must lie in 5 to 150 degrees</source>
+        <translation>切削刃与进给方向的夹角须在 5 到 150 度之间</translation>
+    </message>
+    <message>
+        <source>the serration needs one phase per tooth</source>
+        <translation>波形刃需要每齿一个相位</translation>
+    </message>
+    <message>
+        <source>the serration&apos;s amplitude must be above zero and below a quarter of the diameter</source>
+        <translation>波形刃的振幅须大于零且小于直径的四分之一</translation>
+    </message>
+    <message>
+        <source>the serration&apos;s phases must be finite</source>
+        <translation>波形刃的相位须为有限值</translation>
+    </message>
+    <message>
+        <source>the serration&apos;s wave length must be above zero</source>
+        <translation>波形刃的波长须大于零</translation>
+    </message>
+    <message>
+        <source>the simulation takes no corner radius and no serration</source>
+        <translation>仿真不支持圆角半径和波形刃</translation>
+    </message>
+    <message>
+        <source>the speeds of a mode must rise from 0 or more</source>
+        <translation>一个模态的各转速须从 0 或更大的值起依次递增</translation>
+    </message>
+    <message>
+        <source>the zeroth order takes no corner radius and no serration</source>
+        <translation>零阶方法不支持圆角半径和波形刃</translation>
+    </message>
+    <message>
+        <source>what one edge feels across, the edge opposite feels the other way</source>
+        <translation>一个切削刃受到的横向作用，在对面的切削刃上正好相反</translation>
+    </message>
+    <message>
+        <source>which teeth of a serrated tool cut depends on the feed</source>
+        <translation>波形刃刀具的哪些齿在切削取决于进给</translation>
+    </message>
+    <message>
+        <source>with several edges the modes may move along the feed and the cutting speed only</source>
+        <translation>有多个切削刃时，模态只能沿进给方向和切削速度方向运动</translation>
     </message>
 </context>
 <context>
@@ -8272,6 +8368,18 @@
         <source>JOINED</source>
         <translation>组合</translation>
     </message>
+    <message>
+        <source>, marked: was chatter</source>
+        <translation>，已标记：报警正确</translation>
+    </message>
+    <message>
+        <source>, marked: false alarm</source>
+        <translation>，已标记：误报</translation>
+    </message>
+    <message>
+        <source>Stable again after %1</source>
+        <translation>%1 后恢复稳定</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -8691,17 +8799,25 @@
         <source>Nothing at %1. The nearest is chosen</source>
         <translation>%1 没有事件。已选中最近的一个</translation>
     </message>
+    <message>
+        <source>WAS CHATTER</source>
+        <translation>报警正确</translation>
+    </message>
+    <message>
+        <source>The chosen alarm was chatter</source>
+        <translation>所选报警确为颤振</translation>
+    </message>
+    <message>
+        <source>FALSE ALARM</source>
+        <translation>误报</translation>
+    </message>
+    <message>
+        <source>The chosen alarm was no chatter</source>
+        <translation>所选报警不是颤振</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::FileAnswerPanel</name>
-    <message>
-        <source>Teeth</source>
-        <translation>齿数</translation>
-    </message>
-    <message>
-        <source>Speed, rev/min</source>
-        <translation>转速，r/min</translation>
-    </message>
     <message>
         <source>OPEN A RECORDING</source>
         <translation>打开记录</translation>
@@ -8750,6 +8866,22 @@
         <source>Teeth by the signal: %1, or %2</source>
         <translation>按信号的齿数：%1，或 %2</translation>
     </message>
+    <message>
+        <source>Compared with %1</source>
+        <translation>与 %1 比较</translation>
+    </message>
+    <message>
+        <source>As loud in the cut as the first, if both were recorded alike</source>
+        <translation>切削中与第一个一样响（若录制条件相同）</translation>
+    </message>
+    <message>
+        <source>%1 louder in the cut than the first, if both were recorded alike</source>
+        <translation>切削中比第一个响 %1（若录制条件相同）</translation>
+    </message>
+    <message>
+        <source>%1 quieter in the cut than the first, if both were recorded alike</source>
+        <translation>切削中比第一个轻 %1（若录制条件相同）</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::FilePage</name>
@@ -8764,14 +8896,6 @@
     <message>
         <source>Play the sound of the stretch on show</source>
         <translation>播放所示部分的声音</translation>
-    </message>
-    <message>
-        <source>OVERLAY</source>
-        <translation>叠加</translation>
-    </message>
-    <message>
-        <source>Lay a second recording beside this one</source>
-        <translation>并列第二段记录</translation>
     </message>
     <message>
         <source>PICTURE</source>
@@ -8798,10 +8922,6 @@
         <translation>打开记录</translation>
     </message>
     <message>
-        <source>Open a recording beside it</source>
-        <translation>打开并列的记录</translation>
-    </message>
-    <message>
         <source>STOP</source>
         <translation>停止</translation>
     </message>
@@ -8812,6 +8932,22 @@
     <message>
         <source>%1 cannot be written</source>
         <translation>%1 无法写入</translation>
+    </message>
+    <message>
+        <source>COMPARE</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Compare with a second recording</source>
+        <translation>与第二个录制比较</translation>
+    </message>
+    <message>
+        <source>Open the recording to compare with</source>
+        <translation>打开要比较的录制</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>比较</translation>
     </message>
 </context>
 <context>
@@ -8829,10 +8965,6 @@
         <translation>，阶次 %1</translation>
     </message>
     <message>
-        <source>, beside %1</source>
-        <translation>，并列 %1</translation>
-    </message>
-    <message>
         <source>SPECTRUM AT A, %1</source>
         <translation>A 处频谱，%1</translation>
     </message>
@@ -8847,6 +8979,10 @@
     <message>
         <source>chatter %1</source>
         <translation>颤振 %1</translation>
+    </message>
+    <message>
+        <source>, compared %1</source>
+        <translation>，比较 %1</translation>
     </message>
 </context>
 <context>
@@ -9576,6 +9712,17 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::QuestionFields</name>
+    <message>
+        <source>Teeth</source>
+        <translation>齿数</translation>
+    </message>
+    <message>
+        <source>Speed, rev/min</source>
+        <translation>转速，r/min</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::RuleEditor</name>
     <message>
         <source>SPEED</source>
@@ -10227,6 +10374,14 @@
     <message>
         <source>LIMITS</source>
         <translation>限值</translation>
+    </message>
+    <message>
+        <source>START</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>Save what was changed and begin with it</source>
+        <translation>保存更改并以此开始</translation>
     </message>
 </context>
 <context>
