@@ -215,6 +215,33 @@ TEST_F(IdentifiedLobes, WhereOnlySoMuchWasSearchedItIsSaidToBeAtLeastThat) {
   EXPECT_THAT(run(asked), HasSubstr(": at least 4 mm"));
 }
 
+TEST_F(IdentifiedLobes, AdviceWithASpreadIsNarrowerAndNoDeeper) {
+  folder_.file("case.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
+  const auto best = [&](std::vector<std::string> spread) {
+    std::vector<std::string> asked{"advise", "case.toml", "--depth", "1.5", "--speeds", "8000:10500", "--json"};
+    asked.insert(asked.end(), spread.begin(), spread.end());
+    return json::parse(run(asked)).at("pockets").at(0);
+  };
+  const json sure = best({});
+  const json doubted = best({"--spread", "1,10,10,10"});
+  EXPECT_GT(doubted.at("from_rpm").get<double>(), sure.at("from_rpm").get<double>());
+  EXPECT_LT(doubted.at("limit_mm").get<double>(), sure.at("limit_mm").get<double>());
+  EXPECT_GT(doubted.at("expected_limit_mm").get<double>(), doubted.at("limit_mm").get<double>());
+}
+
+// A tool square to the work, of one mode: b_lim = 2 zeta (1 + zeta) k / K, of tangential by radial in the ratio asked.
+TEST_F(IdentifiedLobes, ATurningToolsLeastLimitIsTheClosedForm) {
+  constexpr double kZeta = 0.05, kStiffness = 2e7, kRadial = 1e9;
+  folder_.file("bar.toml",
+               "[turning]\ndiameter_mm = 80\n[[mode]]\nfrequency_hz = 240\ndamping = 0.05\nstiffness_n_per_m = 2e7\n"
+               "direction = [1.0, 0.0, 0.0]\n"
+               "[material]\ntangential_n_per_m2 = 2e9\nradial_n_per_m2 = 1e9\n");
+  const auto found = limits(run({"lobes", "bar.toml", "--speeds", "630:700:1", "--max-depth", "20"}));
+  ASSERT_FALSE(found.empty());
+  const double least = 1e3 * 2.0 * kZeta * (1.0 + kZeta) * kStiffness / kRadial;
+  EXPECT_NEAR(*std::min_element(found.begin(), found.end()), least, 2e-3 * least);
+}
+
 TEST_F(IdentifiedLobes, AdviceThatIsNotPossibleIsOneLine) {
   folder_.file("case.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
   for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
