@@ -108,7 +108,7 @@ Status checkEngagement(const Engagement& e, const std::string& place) {
 }
 
 Status checkMode(const Mode& m, const std::string& place) {
-  const auto bad = [&](Message what) { return Status(Error{place, what}); };
+  const auto bad = [&](const Message& what) { return Status(Error{place, what}); };
   if (!(m.frequency.value > 0.0) || !isFinite(m.frequency)) return bad(message("frequency must be above zero"));
   if (!(m.damping > 0.0) || !(m.damping < 1.0)) return bad(message("damping ratio must lie between 0 and 1"));
   if (!(m.stiffness > 0.0) || !std::isfinite(m.stiffness)) return bad(message("stiffness must be above zero"));
@@ -125,7 +125,7 @@ Status checkMode(const Mode& m, const std::string& place) {
 }
 
 Status checkShape(const Tool& t, const std::string& place) {
-  const auto bad = [&](Message what) { return Status(Error{place, what}); };
+  const auto bad = [&](const Message& what) { return Status(Error{place, what}); };
   const double radius = 0.5 * t.diameter.value;
   if (!(t.cornerRadius.value >= 0.0) || t.cornerRadius.value > radius * (1.0 + 1e-9)) {
     return bad(message("the corner radius must lie between 0 and half the diameter"));
@@ -147,7 +147,7 @@ Status checkShape(const Tool& t, const std::string& place) {
 }
 
 Status checkTool(const Tool& t, const std::string& place) {
-  const auto bad = [&](Message what) { return Status(Error{place, what}); };
+  const auto bad = [&](const Message& what) { return Status(Error{place, what}); };
   const auto teeth = static_cast<std::size_t>(t.teeth);
   if (t.teeth < 1 || t.teeth > kMostTeeth) {
     return bad(message("teeth must be 1 to %1, not %2", std::to_string(kMostTeeth), std::to_string(t.teeth)));
@@ -175,7 +175,7 @@ Status checkTool(const Tool& t, const std::string& place) {
 }
 
 Status checkTurning(const CutModel& model, const std::string& place) {
-  const auto bad = [&](Message what, Message why = {}) { return Status(Error{place, what, why}); };
+  const auto bad = [&](const Message& what, const Message& why = {}) { return Status(Error{place, what, why}); };
   constexpr double kLeast = 5.0 / 360.0 * kTwoPi, kMost = 150.0 / 360.0 * kTwoPi;
   const double kappa = model.turning->edgeAngle;
   if (!(kappa >= kLeast) || kappa > kMost)

@@ -129,9 +129,9 @@ QString change(const QString& before, const QString& after, const QString& unit)
 // came later is told by the card, not by the move.
 QString failureOf(const Intervention& i) {
   if (i.quiet || (i.outcome != MoveOutcome::NotHelped && i.outcome != MoveOutcome::Louder)) return {};
-  const QString how = i.outcome == MoveOutcome::Louder && i.timesAsLoud > 0.0
-                          ? say("louder: %1 times as before the move").arg(number(i.timesAsLoud, 1))
-                          : say("the move did not help");
+  QString how = i.outcome == MoveOutcome::Louder && i.timesAsLoud > 0.0
+                    ? say("louder: %1 times as before the move").arg(number(i.timesAsLoud, 1))
+                    : say("the move did not help");
   if (!i.endedAuto) return how;
   return say("%1; ended in Advise: %2 moves in a row without help").arg(how, number(i.withoutHelp));
 }

@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QGraphicsView>
 #include <QIcon>
+#include <QLocale>
 #include <QMimeData>
 #include <QPainter>
 #include <QPlainTextEdit>

@@ -18,6 +18,7 @@ constexpr double kSameCoefficient = 1e-6;  // relative: what a field with few di
 
 std::vector<ui::EnteredMode> shown(const std::vector<milling::Mode>& modes) {
   std::vector<ui::EnteredMode> out;
+  out.reserve(modes.size());
   for (const milling::Mode& m : modes) out.push_back({m.frequency, m.damping, m.stiffness, m.direction});
   return out;
 }

@@ -16,7 +16,7 @@ double highestMode(const CutModel& m) {
 }
 
 Status checkSensor(const Scenario& s, const SensorSettings& c, const std::string& place) {
-  const auto bad = [&](Message what) { return Status(Error{place, what}); };
+  const auto bad = [&](const Message& what) { return Status(Error{place, what}); };
   if (c.name.empty()) return bad(message("a sensor needs a name"));
   if (!c.axis.empty() && c.axis != "x" && c.axis != "y") return bad(message("axis must be x or y"));
   if (!c.place.empty() && c.place.size() != s.model.modes.size())
@@ -35,7 +35,7 @@ Status checkSensor(const Scenario& s, const SensorSettings& c, const std::string
 
 Status checkProgramme(const Scenario& s, const std::string& where) {
   const Programme& p = s.programme;
-  const auto bad = [&](Message what) { return Status(Error{where, what}); };
+  const auto bad = [&](const Message& what) { return Status(Error{where, what}); };
   if (!(p.speed.value >= 1.0) || p.speed.value > 200000.0)
     return bad(message("speed must lie between 1 and 200000 rev/min"));
   if (!(p.feedPerTooth.value >= 0.0) || p.feedPerTooth.value > 0.01)

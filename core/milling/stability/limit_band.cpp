@@ -54,6 +54,7 @@ CutModel drawn(CutModel model, const ModelSpread& spread, Dice& dice) {
 std::vector<CutModel> drawnModels(const CutModel& model, const ModelSpread& spread) {
   Dice dice;
   std::vector<CutModel> models;
+  models.reserve(static_cast<std::size_t>(spread.samples));
   for (int i = 0; i < spread.samples; ++i) models.push_back(drawn(model, spread, dice));
   return models;
 }

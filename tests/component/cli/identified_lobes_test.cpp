@@ -166,7 +166,9 @@ TEST_F(IdentifiedLobes, AdviceIsTheSameForCaseScenarioAndProfile) {
                "version = 1\nmachine = \"Mill\"\n[tool]\nteeth = 2\n[cut]\nspeed_rpm = 10000\nfeed_mm_min = "
                "2000\nmodel = \"case.toml\"\n"
                "depth_mm = 1.5\n");
-  const auto pockets = [&](std::vector<std::string> arguments) { return json::parse(run(arguments)).at("pockets"); };
+  const auto pockets = [&](const std::vector<std::string>& arguments) {
+    return json::parse(run(arguments)).at("pockets");
+  };
   const std::vector<std::string> asked{"--speeds", "8000:12000", "--json"};
   const auto with = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), asked.begin(), asked.end());
@@ -217,7 +219,7 @@ TEST_F(IdentifiedLobes, WhereOnlySoMuchWasSearchedItIsSaidToBeAtLeastThat) {
 
 TEST_F(IdentifiedLobes, AdviceWithASpreadIsNarrowerAndNoDeeper) {
   folder_.file("case.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
-  const auto best = [&](std::vector<std::string> spread) {
+  const auto best = [&](const std::vector<std::string>& spread) {
     std::vector<std::string> asked{"advise", "case.toml", "--depth", "1.5", "--speeds", "8000:10500", "--json"};
     asked.insert(asked.end(), spread.begin(), spread.end());
     return json::parse(run(asked)).at("pockets").at(0);

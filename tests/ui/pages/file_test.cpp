@@ -291,7 +291,7 @@ TEST_F(FilePageTest, APictureIsWrittenBesideTheRecordingInOneTouch) {
 }
 
 TEST_F(FilePageTest, TwoCutsAreComparedByTheirAnswersAndLevelsInFourTouches) {
-  desk_.besideLouder_dB = 6.0;
+  desk_.besideLouderDb = 6.0;
   openWindow();
   int asked = 0;
   page().chooseFile = [&](const QString&, const std::function<void(const QString&)>& take) {

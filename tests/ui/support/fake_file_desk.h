@@ -53,7 +53,7 @@ class FakeFileDesk final : public FileController {
   TaskState summarizing() const override { return {}; }
   void askSpectra(Place place, const SpectraRequest& request) override {
     requests.push_back({place, request});
-    spectra_[place] = makeSpectra(request, place == Beside ? besideLouder_dB : 0.0);
+    spectra_[place] = makeSpectra(request, place == Beside ? besideLouderDb : 0.0);
     changed = true;
   }
   std::shared_ptr<const Spectra> spectra(Place place) const override { return spectra_[place]; }
@@ -120,7 +120,7 @@ class FakeFileDesk final : public FileController {
   std::optional<FileTrack> recorded;
   qint64 wallMs = 0;
   int summariesAsked = 0;
-  double besideLouder_dB = 0.0;
+  double besideLouderDb = 0.0;
   bool noSound = false, changed = true;
 
  private:

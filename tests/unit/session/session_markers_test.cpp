@@ -49,6 +49,7 @@ std::string recordingOf(const TempFolder& folder, const std::vector<OperatorInpu
 std::string touched(const TempFolder& folder, const std::vector<OperatorAction>& actions,
                     const std::string& operatorName = "Grace") {
   std::vector<OperatorInput> touches;
+  touches.reserve(actions.size());
   for (const OperatorAction action : actions) touches.push_back({action, Authority::Off});
   return recordingOf(folder, touches, operatorName);
 }

@@ -11,7 +11,7 @@
 namespace stillcut::ui {
 
 // Mean power of the spectra on show in what was judged and is no air [dB re 1 SI unit]; empty: there is nothing of it.
-inline std::optional<double> cutLevel_dB(const Spectra* spectra, const FileAnswer* answer) {
+inline std::optional<double> cutLevelDb(const Spectra* spectra, const FileAnswer* answer) {
   if (spectra == nullptr || answer == nullptr || answer->tracks.empty()) return {};
   double power = 0.0;
   int count = 0;

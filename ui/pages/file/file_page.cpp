@@ -225,11 +225,11 @@ void FilePage::showAnswer() {
                                   place == kMain ? controller_->findings() : FileFindings()};
   };
   answer_->display(shown(kMain));
-  answer_->displayBeside(shown(kBeside), besideLouder_dB());
+  answer_->displayBeside(shown(kBeside), besideLouderDb());
 }
 
 // Of the same quantity alone, and once both are judged.
-std::optional<double> FilePage::besideLouder_dB() const {
+std::optional<double> FilePage::besideLouderDb() const {
   const auto unit = [this](FileController::Place place) {
     const auto file = controller_->contents(place);
     const auto spectra = controller_->spectra(place);
@@ -237,7 +237,7 @@ std::optional<double> FilePage::besideLouder_dB() const {
     return any ? file->channels[static_cast<std::size_t>(spectra->request.channel)].unit : QString();
   };
   const auto level = [this](FileController::Place place) {
-    return cutLevel_dB(controller_->spectra(place).get(), controller_->answer(place).get());
+    return cutLevelDb(controller_->spectra(place).get(), controller_->answer(place).get());
   };
   const auto first = level(kMain), second = level(kBeside);
   if (!first || !second || unit(kMain) != unit(kBeside)) return {};

@@ -56,7 +56,7 @@ class FilePage : public Page {
   void refresh();
   void compareWith(const QString& path);
   void showAnswer();
-  std::optional<double> besideLouder_dB() const;
+  std::optional<double> besideLouderDb() const;
   void showTold(FileController::Place place);
   void showJudged();
   void showParts();
