@@ -26,7 +26,7 @@ std::string number(double v) {
 
 // f of a serrated tool has a kink wherever another tooth begins to cut, and no series: the multipliers outside are
 // counted at even steps of depth, and the step with the first one is halved. The count takes the rough lines: half a
-// percent.
+// percent. An island thinner than a step is not seen, so that nothing here is verified.
 SpeedLimits serratedLimits(const ShapedTeeth& teeth, Rpm speed, const LimitOptions& options, WorkMeter& meter) {
   constexpr int kSteps = 60;
   SpeedLimits limits;
@@ -43,7 +43,6 @@ SpeedLimits serratedLimits(const ShapedTeeth& teeth, Rpm speed, const LimitOptio
     low = depth;
     limits.searchedTo = i == kSteps ? options.maxAxialDepth : Metres(depth);
   }
-  limits.verified = true;
   if (high == 0.0) return limits;
   int after = 2;
   while (high - low > 1e-3 * high) {

@@ -119,6 +119,18 @@ TEST(ShapedTeeth, SerratedTeethAgreeWithAnIndependentProgram) {
   EXPECT_NEAR(limitMm(three, 13000.0, 3.0), 1.688, 0.01 * 1.7);
 }
 
+// Steps of depth are no proof that nothing lies between them.
+TEST(ShapedTeeth, WhatIsSearchedInStepsIsNotCalledVerified) {
+  LimitOptions options;
+  options.maxAxialDepth = Metres(3e-3);
+  const auto lobes = ExactLobes::make(serrated(0.05, 0.06), "serrated");
+  ASSERT_TRUE(lobes.ok());
+  const auto limits = lobes->limits(Rpm(13000.0), options);
+  ASSERT_TRUE(limits.ok());
+  EXPECT_TRUE(limits->hasLimit());
+  EXPECT_FALSE(limits->verified);
+}
+
 TEST(ShapedTeeth, WavesFarLowerThanTheChipDoNothing) {
   CutModel plain = serrated(1e-6, 0.1);
   plain.tool.serration.reset();
