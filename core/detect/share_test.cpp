@@ -4,9 +4,20 @@
 
 namespace stillcut::detect {
 
+void ShareTest::skipStale() {
+  const unsigned seen = seen_;
+  reset();
+  seen_ = seen;
+  stale_ = kWindow;
+}
+
 void ShareTest::see(const SeriesLook& look) {
   if (look.count == seen_) return;
   seen_ = look.count;
+  if (stale_ > 0) {
+    --stale_;
+    return;
+  }
   const bool counts = look.whole && look.agreed && look.steady && look.certainty > kLikely && look.teethHeard &&
                       look.lines >= kFewestLines;
   uncounted_ = counts ? 0 : uncounted_ + 1;

@@ -172,7 +172,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
         (byShare_ && share_.full()) || ((high || lasts) && (hop.revolutionsComparable || state_ == CutState::Chatter));
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) {
-      share_.reset();  // the newest looks still hold what is over
+      left ? share_.skipStale() : share_.reset();
       calm_.reset();
       entry_.endAlarm();
     }

@@ -57,6 +57,20 @@ TEST(ShareTest, LastsToHalfOfTheLimitAndThroughLooksThatTellNothing) {
   EXPECT_FALSE(l.test.lasts());
 }
 
+TEST(ShareTest, LooksThatReachBackBeforeTheVibrationWentBeginNothing) {
+  Looks l;
+  l.see(0.9, 3);
+  l.test.skipStale();
+  EXPECT_FALSE(l.test.lasts());
+  l.test.see(l.look);  // the same look once more
+  l.see(0.9, 4);       // a window is four looks long
+  EXPECT_FALSE(l.test.full());
+  l.see(0.1, 8);
+  EXPECT_FALSE(l.test.full());
+  l.see(0.9, 2);
+  EXPECT_TRUE(l.test.full());
+}
+
 TEST(ShareTest, WhatCannotBeToldBeginsNothing) {
   const auto full = [](auto change) {
     Looks l;
