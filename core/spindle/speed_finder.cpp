@@ -12,6 +12,7 @@ constexpr double kNearlyAll = 0.93;  // of what the best comb holds: a fundament
 constexpr double kTeethCarry = 0.7;  // of the comb, on every so manieth line: these are the tooth passings
 constexpr double kRunout = 0.25;     // of what is beside the comb, on the lines in between: runout
 constexpr double kFirstLine = 0.5;   // of the comb: a tooth passing; imbalance alone never shakes a cut like that
+constexpr std::array<int, 3> kSkips{2, 3, 5};
 constexpr double kLeastPeak = 1e-4;  // of the power; smaller lines propose nothing
 
 }  // namespace
@@ -129,7 +130,27 @@ FoundSpeed SpeedFinder::find(std::span<const double> power, Hertz low, Hertz hig
   if (spindle < low.value || spindle > high.value) return found;
   found.spindle = Hertz(spindle);
   found.toothPart = teeth_ > 0 ? combPart(spindle, teeth_) : 0.0;
+  found.everyPassing = everyPassing(spindle);
   return found;
+}
+
+// A line above the noise beside it.
+double SpeedFinder::standsOut(double frequency) const noexcept {
+  const double beside = (2.0 * lobe_ + 1.0) * binWidth_;
+  const double noise = std::min(lineAt(frequency - beside), lineAt(frequency + beside));
+  return std::max(0.0, lineAt(frequency) - noise);
+}
+
+double SpeedFinder::everyPassing(double spindle) const noexcept {
+  if (teeth_ < 1) return 1.0;
+  double all = 0.0;
+  std::array<double, kSkips.size()> between{};
+  for (int k = 1; k * teeth_ <= kMostOrder; ++k) {
+    const double line = standsOut(k * teeth_ * spindle);
+    all += line;
+    for (std::size_t q = 0; q < kSkips.size(); ++q) between[q] += k % kSkips[q] != 0 ? line : 0.0;
+  }
+  return all > 0.0 ? *std::min_element(between.begin(), between.end()) / all : 0.0;
 }
 
 }  // namespace stillcut::detect

@@ -20,6 +20,9 @@ struct FoundSpeed {
   Hertz spindle{};         // 0: nothing found
   double part = 0.0;       // of the power on its comb, above chance, 0..1
   double toothPart = 0.0;  // of the power on multiples of the teeth (0: teeth unknown)
+  // Of the power on multiples of the teeth, the least that stands between every second, third or fifth of them: 0 where
+  // only those are there, as of a spindle that turns so much faster.
+  double everyPassing = 1.0;
 };
 
 class SpeedFinder {
@@ -35,6 +38,8 @@ class SpeedFinder {
   void collectPeaks() noexcept;
   double lineAt(double frequency) const noexcept;
   double combPart(double fundamental, int every) const noexcept;
+  double standsOut(double frequency) const noexcept;
+  double everyPassing(double spindle) const noexcept;
   double refined(double fundamental) const noexcept;
   double fundamental(double low, double high, double* part) const noexcept;
   int divisor(double fundamental) const noexcept;

@@ -33,6 +33,7 @@ constexpr double kFar = 0.05;              // of the speed; a comb further away 
 constexpr double kTeethOfFar = 0.5;        // ... unless the teeth make so much of it
 constexpr int kTrialTurns = 48;            // in which a comb that nobody told must be followed cleanly
 constexpr double kSlipped = 0.5;           // scatter of phases that are not held
+constexpr double kEveryPassing = 0.01;     // 20 dB below what the other multiples of the tooth passing hold
 constexpr double kOffMains = 0.2;          // Hz, as hum_watch.h has it
 constexpr double kFine = 7e-4;
 constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
@@ -256,7 +257,7 @@ bool SpeedTracker::believed(const Look& look) const noexcept {
   if (look.agreeing < (locked_ ? kReturnLooks : kSeekLooks)) return false;
   const Hertz found = look.found.spindle;
   if (believedElsewhere(found)) return false;
-  if (!locked_ && mayBeHum(found)) return false;
+  if (!locked_ && (mayBeHum(found) || look.found.everyPassing < kEveryPassing)) return false;
   if (!locked_) return look.found.toothPart * teeth_ >= look.found.part || teeth_ < 1;
   const bool teeth = teeth_ < 1 || look.found.toothPart > kTeethOfFar * look.found.part;
   const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave
@@ -283,11 +284,14 @@ void SpeedTracker::seek(Look& look) noexcept {
   trend_.reset();
 }
 
-// A comb that was never followed cleanly was not the spindle's: chatter and its side lines make combs as well.
+// A comb that was never followed cleanly was not the spindle's: chatter and its side lines make combs as well. Nor is
+// one that proves, followed, to be the mains', which the windows that found it did not tell so finely.
 void SpeedTracker::dropUntrusted() noexcept {
   if (!locked_ || trusted_) return;
-  trusted_ = tracker_.clean();
-  if (trusted_ || tracker_.turns() < kTrialTurns) return;
+  const bool clean = tracker_.clean();
+  const bool hum = clean && mayBeHum(spindle());
+  trusted_ = clean && !hum;
+  if (trusted_ || (!hum && tracker_.turns() < kTrialTurns)) return;
   locked_ = false;
   told_ = nominal_;
   ratio_ = 1.0;
