@@ -52,10 +52,14 @@ void SharedOverride::seen(int percent, Instant now) noexcept {
   // A number that we want and have never sent is a hand that chose it.
   const bool wanted = percent == target() && (factor_ == 1.0 || sentOnBase(percent));
   const bool ours = first || shown_ == percent || wanted || stoodThere || echo;
-  if (!ours && std::exchange(doubted_, percent) != percent) timesDoubted_ = 0;
+  if (!ours && std::exchange(doubted_, percent) != percent) {
+    timesDoubted_ = 0;
+    doubtedOverOurs_ = factor_ != 1.0;
+  }
   if (!ours && ++timesDoubted_ < manners_.sightings) return;
   doubted_.reset();
   timesDoubted_ = 0;
+  if (ours) doubtedOverOurs_ = false;
   const int stood = shown_.value_or(percent);
   shown_ = percent;
   if (ours || undoHand(percent, now)) return;
@@ -77,7 +81,8 @@ bool SharedOverride::undoHand(int percent, Instant now) noexcept {
 // Nobody here sent this: the operator's hand. What is still on its way may show up after it; then it is sent home to
 // what the hand chose.
 void SharedOverride::takeHand(int percent) noexcept {
-  grabbed_ = grabbed_ || factor_ != 1.0;  // a hand that turns twice has not given way
+  // A hand that turns twice has not given way, nor has one that is believed as our factor passes 100 %.
+  grabbed_ = grabbed_ || factor_ != 1.0 || std::exchange(doubtedOverOurs_, false);
   base_ = percent;
   factor_ = 1.0;
   firstOnBase_ = sentCount_;
@@ -90,7 +95,7 @@ void SharedOverride::want(Ratio factor, std::uint64_t engagement) noexcept {
   if (!isFinite(factor) || factor.value < 0.0) return;
   if (engagement != engagement_) {
     engagement_ = engagement;
-    grabbed_ = false;
+    grabbed_ = doubtedOverOurs_ = false;
   }
   if (!grabbed_) factor_ = factor.value;
   if (beforeHand_) beforeHand_->factor = factor.value;
@@ -138,6 +143,7 @@ void SharedOverride::restarted() noexcept {
   shown_.reset();
   underway_.reset();
   doubted_.reset();
+  doubtedOverOurs_ = false;
   rejoining_ = false;
   unseen_ = sentCount_;
 }

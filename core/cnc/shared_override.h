@@ -100,7 +100,8 @@ class SharedOverride {
   std::optional<int> shown_;
   std::optional<int> doubted_;  // a foreign value that has been read, but not often enough
   int timesDoubted_ = 0;
-  std::optional<int> underway_;  // sent, not seen yet
+  bool doubtedOverOurs_ = false;  // a factor of ours was wanted when it was read first
+  std::optional<int> underway_;   // sent, not seen yet
   int base_ = 100;
   double factor_ = 1.0;
   std::uint64_t engagement_ = 0;

@@ -94,6 +94,24 @@ TEST(SharedOverride, AHandThatTurnsTwiceHasNotGivenWay) {
   EXPECT_EQ(knob.due(), 59) << "another engagement begins at what the hand chose";
 }
 
+// Where a hand counts at the second sight, our factor may pass 100 % between the two.
+TEST(SharedOverride, AHandThatIsBelievedAsOursPassesHundredIsAHand) {
+  SharedOverride knob(50, 120, {.sightings = 2});
+  knob.seen(100, at(0.0));
+  knob.want(Ratio(1.2), 1);
+  knob.sent(120, at(0.1));
+  knob.seen(120, at(0.2));
+  knob.seen(55, at(0.3));
+  EXPECT_TRUE(knob.doubted());
+  knob.want(Ratio(1.0), 1);
+  knob.seen(55, at(0.4));
+  knob.want(Ratio(1.02), 1);
+  EXPECT_TRUE(knob.grabbed());
+  EXPECT_FALSE(knob.due().has_value()) << "sent over it";
+  knob.want(Ratio(1.02), 2);
+  EXPECT_EQ(knob.due(), 56) << "another engagement begins at what the hand chose";
+}
+
 TEST(SharedOverride, AHandThatTurnsToWhatWeSentOnceIsAHand) {
   SharedOverride knob = seenAt100();
   knob.want(Ratio(0.8), 1);

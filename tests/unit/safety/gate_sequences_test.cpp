@@ -2,7 +2,7 @@
 // states that lie, authority given and taken, verdicts that are old, clocks that jump, a worker that stalls. Whatever
 // happened, then it is calm and authority is Off: the machine is back where its operator had set it, in time.
 // The oracle here knows the hand, which the gate does not, and shares no code with the gate.
-// STILLCUT_GATE_SEQUENCES: how many; the long run takes a million.
+// STILLCUT_GATE_SEQUENCES: how many; the long run takes a million. STILLCUT_GATE_FIRST: from which number on.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -254,8 +254,10 @@ class Life {
 TEST(GateSequences, EndWhereTheOperatorHadSetTheMachine) {
   const char* told = std::getenv("STILLCUT_GATE_SEQUENCES");
   const long count = told != nullptr ? std::atol(told) : 100'000;
+  const char* from = std::getenv("STILLCUT_GATE_FIRST");
+  const long first = from != nullptr ? std::atol(from) : 0;
   long sets = 0, hands = 0, undecidable = 0;
-  for (long i = 0; i < count; ++i) {
+  for (long i = first; i < first + count; ++i) {
     Life life(static_cast<std::uint64_t>(i) + 1);
     const std::string broken = life.live();
     ASSERT_TRUE(broken.empty()) << "sequence " << i << ": " << broken;
@@ -267,7 +269,7 @@ TEST(GateSequences, EndWhereTheOperatorHadSetTheMachine) {
   // The machine was really driven, hands were really turned, and most ends could be told.
   EXPECT_GT(sets, 10 * count);
   EXPECT_GT(hands, count / 2);
-  EXPECT_LT(undecidable, count / 2);
+  EXPECT_LE(2 * undecidable, count);
 }
 
 }  // namespace
