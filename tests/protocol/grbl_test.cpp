@@ -297,6 +297,51 @@ TEST(Grbl, AnotherSendersOverrideEndsOursAndStays) {
   EXPECT_EQ(b.grbl.feed, 100);
 }
 
+// On a slow wire a hand may come before our step has shown: it is no step that was lost on the way.
+TEST(Grbl, AHandBeforeOurStepHasShownIsNotSentOver) {
+  for (const double late : {0.01, 0.1, 0.2}) {
+    Bench b;
+    b.faults.delay(late);
+    b.run(3.0);
+    const OverrideCommand command = b.gate.set(90.0);
+    const auto engaged = [&] {
+      b.link->apply(command, b.clock.now());
+      b.run(0.01);
+    };
+    for (int i = 0; i < 1500 && !(b.grbl.spindle == 90 && b.grbl.feed == 90); ++i) engaged();
+    ASSERT_EQ(b.grbl.feed, 90) << late;
+    b.grbl.turn(40, 10);
+    for (int i = 0; i < 600; ++i) {
+      engaged();
+      ASSERT_EQ(b.grbl.spindle, 40) << late << ", " << i;
+      ASSERT_EQ(b.grbl.feed, 10) << late << ", " << i;
+    }
+    b.link->release(b.clock.now());
+    b.run(2.0);
+    EXPECT_EQ(b.grbl.spindle, 40) << late;
+    EXPECT_EQ(b.grbl.feed, 10) << late;
+  }
+}
+
+// Once read, and not yet a second time: whoever lets go then sends nothing over it either.
+TEST(Grbl, AHandThatWasReadOnceIsNotSentOverAtTheEnd) {
+  Bench b;
+  b.faults.delay(0.2);
+  b.run(3.0);
+  const OverrideCommand command = b.gate.set(90.0);
+  for (int i = 0; i < 800; ++i) {
+    b.link->apply(command, b.clock.now());
+    b.run(0.01);
+  }
+  ASSERT_EQ(b.grbl.feed, 90);
+  b.grbl.turn(40, 10);
+  b.run(0.5);
+  b.link->release(b.clock.now());
+  b.run(5.0);
+  EXPECT_EQ(b.grbl.spindle, 40);
+  EXPECT_EQ(b.grbl.feed, 10);
+}
+
 TEST(Grbl, ReportsInPiecesTogetherOrInTheWrongOrderAreRead) {
   for (int script = 0; script < 4; ++script) {
     Bench b;

@@ -196,9 +196,11 @@ void GrblLink::moveOverrides(Instant now) noexcept {
 }
 
 // What was sent has not shown: taken or lost, nobody knows, and a step from here could be one too many. 100 % has a
-// byte of its own, which means the same however often it is taken.
+// byte of its own, which means the same however often it is taken. What shows and is nothing of ours may be a hand that
+// came before the step was seen: the next reading decides, and nothing is sent over it until then.
 void GrblLink::resynchronise() noexcept {
   for (Axis* axis : {&speed_, &feed_}) {
+    if (axis->doubted()) continue;
     axis->adrift = axis->adrift || !axis->settled();
     axis->refused();
   }
@@ -210,7 +212,7 @@ void GrblLink::move(Axis& knob, unsigned char firstByte, Instant now) noexcept {
   if (!target && !knob.adrift) return;
   // From an unknown place 100 % is the only one that can be gone to, and no way to an operator who is below it: then
   // the next "Ov:" is waited for.
-  if (knob.adrift && knob.base().value < 1.0) return;
+  if (knob.adrift && (knob.doubted() || knob.base().value < 1.0)) return;
   GrblSteps steps = stepToward(target.value_or(100), knob.shown(), firstByte);
   if (knob.adrift) steps = {firstByte, 0, 100, 100, 100};
   std::array<char, 2> bytes{};
@@ -303,10 +305,11 @@ void GrblLink::release(Instant now) noexcept {
   if (speed_.atBase() && feed_.atBase() && !speed_.adrift && !feed_.adrift) return;
   releaseBudget_.run(
       now, kWait, [&] { return confirmed(); }, [&](Instant at) { tick(at); });
-  // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left; not over an operator who chose less.
+  // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left; not over an operator who chose less,
+  // nor over what may be his hand.
   if (wire_->state() != WireState::Open || confirmed()) return;
   const auto toProgrammed = [&](Axis& axis, unsigned char byte) {
-    if ((axis.baseConfirmed() && !axis.adrift) || axis.base().value < 1.0) return false;
+    if ((axis.baseConfirmed() && !axis.adrift) || axis.doubted() || axis.base().value < 1.0) return false;
     const char c = static_cast<char>(byte);
     if (!wire_->write({&c, 1})) return false;
     axis.sent(100, now);

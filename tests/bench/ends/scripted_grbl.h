@@ -22,10 +22,7 @@ Stand standsIn(Controller& controller) {
 
 template <class Controller>
 void turn(Controller& controller, Stand percent) {
-  controller.with([&](cnc::testing::FakeGrbl& g) {
-    g.spindle = percent.speed;
-    g.feed = percent.feed;
-  });
+  controller.with([&](cnc::testing::FakeGrbl& g) { g.turn(percent.speed, percent.feed); });
 }
 
 // What `overrides` matches in its reports becomes `instead`, once or always.

@@ -30,6 +30,12 @@ class FakeGrbl final : public Peer {
     ++opened;
     starts_ = boot > 0.0;
   }
+  // The operator's buttons: real-time bytes as well, so that the next report tells.
+  void turn(int speed, int to) {
+    spindle = speed;
+    feed = to;
+    changed_ = true;
+  }
   void take(std::string_view bytes, Instant now, const Answer& answer) override {
     if (std::exchange(starts_, false)) {
       feed = spindle = 100;
