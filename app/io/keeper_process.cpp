@@ -95,12 +95,17 @@ bool KeeperProcess::bury(Duration atMost) noexcept {
   const SteadyClock clock;
   const Instant began = clock.now();
   while (child_ > 0) {
-    const pid_t gone = ::waitpid(child_, nullptr, WNOHANG);
+    status_ = -1;
+    const pid_t gone = ::waitpid(child_, &status_, WNOHANG);
     if (gone == child_ || (gone < 0 && errno != EINTR)) child_ = -1;
     if (child_ <= 0 || clock.now() - began >= atMost) break;
     ::poll(nullptr, 0, static_cast<int>(kLook / std::chrono::milliseconds(1)));
   }
   return child_ <= 0;
+}
+
+bool KeeperProcess::endedInOrder() const noexcept {
+  return WIFEXITED(status_) && WEXITSTATUS(status_) == 0;
 }
 
 void KeeperProcess::kill() noexcept {

@@ -33,7 +33,11 @@ class KeeperProcess {
   std::optional<KeeperOpened> opened(Duration atMost);
   // Waits until it has ended, at most so long; true: it has.
   bool bury(Duration atMost) noexcept;
+  // The one buried last: by itself, its work done.
+  bool endedInOrder() const noexcept;
   void kill() noexcept;
+  // It goes on by itself until the machine is home.
+  void leave() noexcept { hangUp(); }
 
  private:
   bool wait(Duration atMost) const noexcept;
@@ -41,6 +45,7 @@ class KeeperProcess {
 
   int peer_ = -1;
   pid_t child_ = -1;
+  int status_ = -1;  // of the one buried last, as waitpid() has it
   bool greeted_ = false;
 };
 

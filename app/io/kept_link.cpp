@@ -105,7 +105,9 @@ void KeptLink::lost(Instant now) noexcept {
   keeper_.kill();
   (void)keeper_.bury({});
   if (std::exchange(inForce_, false)) endedEngagement_ = std::max(endedEngagement_, engagement_);
-  report_.state = MachineState{};
+  if (sent_) released_.release(now);
+  report_ = {};
+  releases_ = 0;
   nextTry_ = std::max(nextTry_, now);
 }
 
@@ -138,10 +140,9 @@ MachineState KeptLink::read(Instant now) noexcept {
   m.endedEngagement = endedEngagement_;
   if (!m.valid) return m;
   releaseBudget_.anew();
-  // Home again, and nothing of ours under way: a successor has nothing to bring back.
-  const bool home = percentOf(m.speedOverride) == percentOf(m.operatorSpeed) &&
-                    percentOf(m.feedOverride) == percentOf(m.operatorFeed);
-  if (home && !inForce_) sent_.reset();
+  // Read back after the keeper had obeyed: a successor has nothing to bring back.
+  if (report_.released >= releases_) released_.look(m);
+  if (!inForce_ && !released_.notYetBack()) sent_.reset();
   return m;
 }
 
@@ -151,6 +152,7 @@ void KeptLink::apply(const OverrideCommand& command, Instant now) noexcept {
   if (command.engagement() <= endedEngagement_) return;
   engagement_ = command.engagement();
   inForce_ = true;
+  released_.set();
   const MachineState& m = report_.state;
   if (m.valid) sent_ = {sentOn(m.operatorSpeed, command.speed()), sentOn(m.operatorFeed, command.feed())};
   KeeperOrder order;
@@ -160,6 +162,7 @@ void KeptLink::apply(const OverrideCommand& command, Instant now) noexcept {
 
 void KeptLink::release(Instant now) noexcept {
   inForce_ = false;
+  released_.release(now);
   if (!keeper_.running()) return;  // the next one brings it back
   KeeperOrder order;
   order.kind = KeeperOrder::Kind::Release;
@@ -182,17 +185,37 @@ void KeptLink::adopt(std::optional<Ratio> speed, std::optional<Ratio> feed) noex
   (void)keeper_.send(order);
 }
 
+// The way home is waited for as long as it takes on a good wire. A keeper that needs longer goes on without this
+// program; one that is dead or gives no sign of life is replaced by one that does.
 void KeptLink::close() noexcept {
-  if (!keeper_.running()) return;
-  release(clock_.now());
+  if (keeper_.running()) release(clock_.now());
+  if (keeper_.running()) sendEnd();
+  if (!keeper_.running() && sent_) startAgain(clock_.now());
+  keeper_.leave();
+  sent_.reset();
+  report_ = {};
+  releases_ = 0;
+  heardFirst_ = false;
+  nextTry_ = {};
+}
+
+void KeptLink::sendEnd() noexcept {
+  (void)keeper_.newest({});
   KeeperOrder order;
   order.kind = KeeperOrder::Kind::Close;
   (void)keeper_.send(order);
-  if (!keeper_.bury(kReleaseTime)) keeper_.kill();
-  (void)keeper_.bury(kWait);
-  report_ = {};
-  heardFirst_ = false;
-  nextTry_ = {};
+  const Instant began = clock_.now();
+  bool alive = false;
+  while (!keeper_.bury(kWait)) {
+    alive = keeper_.newest({}).has_value() || alive;
+    if (clock_.now() - began < (alive ? kReleaseTime : kLongestSilence)) continue;
+    if (alive) return;
+    keeper_.kill();
+    (void)keeper_.bury(kLongestSilence);
+    break;
+  }
+  keeper_.leave();
+  if (keeper_.endedInOrder()) sent_.reset();
 }
 
 }  // namespace stillcut::app

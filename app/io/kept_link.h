@@ -1,7 +1,7 @@
 // KeptLink: a machine's link in a process of its own (stillcut-keeper), which holds the wire as a lease: once this
 // program dies, hangs or is killed it brings the operator's values back, by the same link that moved them. Here is its
 // near end: orders go out, states come back, at the pace of the link. A keeper that dies or hangs is started anew and
-// brings back what its predecessor left. Thread: as CncLink.
+// brings back what its predecessor left. One that is not home when the program ends stays behind. Thread: as CncLink.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,7 @@
 #include "app/io/keeper_process.h"
 #include "core/cnc/registry.h"
 #include "core/cnc/release_budget.h"
+#include "core/safety/release_watch.h"
 
 namespace stillcut::app {
 
@@ -46,6 +47,7 @@ class KeptLink final : public cnc::CncLink {
   void look(Duration atMost, Instant now) noexcept;
   void startAgain(Instant now) noexcept;
   void lost(Instant now) noexcept;
+  void sendEnd() noexcept;
 
   KeeperBegin begin_;
   std::string id_, label_;
@@ -58,7 +60,8 @@ class KeptLink final : public cnc::CncLink {
   Instant heard_{}, nextTry_{};
   std::uint64_t releases_ = 0;
   std::uint64_t engagement_ = 0, endedEngagement_ = 0;
-  std::optional<cnc::SentOverrides> sent_;  // what may stand in the machine
+  std::optional<cnc::SentOverrides> sent_;  // what may stand in the machine, until it was read back after a release
+  safety::ReleaseWatch released_;
   cnc::ReleaseBudget releaseBudget_;
 };
 

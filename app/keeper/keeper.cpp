@@ -14,7 +14,7 @@ namespace stillcut::app {
 namespace {
 
 constexpr int kDone = 0, kWrongUsage = 2, kMachine = 3;
-constexpr int kBeginWithin = 5000;  // ms
+constexpr int kBeginWithin = 5000, kOpenAgain = 200;  // ms
 constexpr Duration kPause = std::chrono::milliseconds(5);
 
 // What a keeper before this one has left, as RememberingLink takes it. The record on disk is the program's.
@@ -22,6 +22,7 @@ class LeftBehind final : public cnc::OverrideMemory {
  public:
   explicit LeftBehind(const cnc::SentOverrides& left) : left_(left) {}
   std::optional<cnc::SentOverrides> left() const override { return left_; }
+  bool fresh() const noexcept override { return true; }
   void keep(const cnc::SentOverrides& /*sent*/) noexcept override {}
   void forget() noexcept override {}
 
@@ -57,14 +58,30 @@ Status Keeper::start(const KeeperBegin& begin) {
   return link_->open();
 }
 
+bool Keeper::programHasGone() const {
+  char byte = 0;
+  const ssize_t n = ::recv(peer_, &byte, sizeof byte, MSG_PEEK | MSG_DONTWAIT);
+  return n == 0 || (n < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
+}
+
 int Keeper::run() {
   const auto begin = hearBegin();
   if (!begin) return kWrongUsage;
-  const Status started = start(*begin);
+  mayStand_ = begin->left.has_value();
+  Status started = start(*begin);
+  // With nobody left who would start another one, a machine that is away is waited for as it is by a keeper that runs.
+  const Instant until = clock_.now() + kWayHome;
+  while (!started && link_ && mayStand_ && programHasGone() && clock_.now() < until) {
+    ::poll(nullptr, 0, kOpenAgain);
+    started = link_->open();
+  }
   KeeperOpened opened;
   if (link_) opened.label = link_->describe().label;
   if (!started) opened.refused = started.error();
-  if (!sendText(peer_, toText(opened)) || !started) return kMachine;
+  // A program that has gone since does not hear it, and what a keeper before this one left is brought back all the
+  // same.
+  (void)sendText(peer_, toText(opened));
+  if (!started) return kMachine;
   alive_ = clock_.now();
   while (!done()) turn();
   link_->close();
@@ -72,9 +89,8 @@ int Keeper::run() {
 }
 
 bool Keeper::done() const noexcept {
-  if (closing_) return true;
   if (overSince_ == Instant{}) return false;  // no turn has let go yet: that the program went was seen in a pause
-  return !released_.notYetBack() || clock_.now() - overSince_ > kWayHome;
+  return !mayStand_ || clock_.now() - overSince_ > kWayHome;
 }
 
 // Whatever has come since the last look: the newest Set counts, a Release is obeyed in its place. True: there was more
@@ -112,7 +128,7 @@ void Keeper::obey(const KeeperOrder& order, Instant now) noexcept {
       const auto command = order.carried();
       if (!command || command->engagement() <= endedEngagement_) return;
       engagement_ = command->engagement();
-      inForce_ = true;
+      inForce_ = mayStand_ = true;
       released_.set();
       link_->apply(*command, now);
       return;
@@ -124,6 +140,7 @@ void Keeper::obey(const KeeperOrder& order, Instant now) noexcept {
       releaseNumber_ = order.number;
       return;
     case KeeperOrder::Kind::Adopt: {
+      mayStand_ = true;
       const auto given = [](double r) { return std::isfinite(r) ? std::optional(Ratio(r)) : std::nullopt; };
       link_->adopt(given(order.speed), given(order.feed));
       return;
@@ -146,24 +163,28 @@ void Keeper::letGo(Instant now) noexcept {
 void Keeper::turn() noexcept {
   hear();
   const Instant now = clock_.now();
-  const bool over = gone_ || toEnd_();
+  const bool over = gone_ || closing_ || toEnd_();
   if (over && overSince_ == Instant{}) overSince_ = now;
   if (over || now - alive_ > kKeeperPatience) letGo(now);
-  const MachineState state = link_->read(now);
+  // Letting go may have taken a second: what was heard before it is not new by the clock of then.
+  const MachineState state = link_->read(clock_.now());
   released_.look(state);
-  if (left_ && left_->get()) {
-    link_->release(clock_.now());  // nothing is told before: what was left stands in the operator's place
+  const bool leftStands = left_ && left_->get();
+  if (leftStands) {  // nothing is told before: what was left stands in the operator's place
+    released_.release(clock_.now());
+    link_->release(clock_.now());
   } else {
     report(state);
   }
+  if (state.valid && !inForce_ && !leftStands && !released_.notYetBack()) mayStand_ = false;
   pause();
 }
 
 // The link's own pace, as a run gives it. An order ends the pause, and the program's end.
 void Keeper::pause() noexcept {
   const Instant until = clock_.now() + kPause;
-  for (Duration left = kPause; left > Duration::zero() && !closing_; left = until - clock_.now()) {
-    pollfd entry{gone_ ? -1 : peer_, POLLIN, 0};
+  for (Duration left = kPause; left > Duration::zero(); left = until - clock_.now()) {
+    pollfd entry{gone_ || closing_ ? -1 : peer_, POLLIN, 0};
     const timespec limit{0, static_cast<long>(left.count())};
     if (::ppoll(&entry, 1, &limit, nullptr) > 0 && hear()) return;
   }

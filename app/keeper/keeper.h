@@ -1,7 +1,7 @@
 // Keeper: the far end of KeptLink. It holds one machine's link, obeys the orders of the program that started it, and
 // goes home when that program gives no sign of life for kKeeperPatience or has gone. An engagement that ended so is
-// over: no later Set of its number is obeyed. After the program's death it stays until the machine shows the
-// operator's values, kWayHome at most. Thread: one.
+// over: no later Set of its number is obeyed. After the program's death, and after its end in order, it stays until the
+// machine shows the operator's values, kWayHome at most, where anything of ours may stand in it. Thread: one.
 #pragma once
 
 #include <functional>
@@ -29,6 +29,7 @@ class Keeper {
  private:
   std::optional<KeeperBegin> hearBegin() const;
   Status start(const KeeperBegin& begin);
+  bool programHasGone() const;
   bool hear() noexcept;
   void obey(const KeeperOrder& order, Instant now) noexcept;
   void letGo(Instant now) noexcept;
@@ -46,6 +47,7 @@ class Keeper {
   safety::ReleaseWatch released_;
   bool gone_ = false, closing_ = false;
   bool inForce_ = false;
+  bool mayStand_ = false;  // something of ours in the machine: until it was read back after a release
   std::uint64_t engagement_ = 0, endedEngagement_ = 0, releaseNumber_ = 0;
   Instant alive_{}, overSince_{};
 };

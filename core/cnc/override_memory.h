@@ -52,6 +52,8 @@ class OverrideMemory {
   virtual ~OverrideMemory() = default;
   // Set-up thread, before the link is used: what an earlier program has left on record.
   virtual std::optional<SentOverrides> left() const = 0;
+  // Whether that was sent this very moment: an override that goes there step by step may not have arrived.
+  virtual bool fresh() const noexcept { return false; }
   // Link thread, real-time: to be on record within 0.1 s, by another thread than this one.
   virtual void keep(const SentOverrides& sent) noexcept = 0;
   // The same: nothing of ours stands in the machine any more.

@@ -14,9 +14,11 @@ int percentOf(Ratio r) noexcept {
   return isFinite(r) ? static_cast<int>(std::lround(100.0 * r.value)) : 0;
 }
 
-bool standsAsLeft(const SentOverride& left, Ratio inForce) noexcept {
+bool standsAsLeft(const SentOverride& left, Ratio inForce, bool onItsWay) noexcept {
   const int percent = percentOf(inForce);
-  return left.sent != left.base && percent != left.base && std::abs(percent - left.sent) <= kMovedSince;
+  if (left.sent == left.base || percent == left.base) return false;
+  const bool between = (percent > left.sent) != (percent > left.base);
+  return std::abs(percent - left.sent) <= kMovedSince || (onItsWay && between);
 }
 
 bool isHome(const SentOverride& left, Ratio inForce) noexcept {
@@ -51,7 +53,9 @@ MachineState RememberingLink::read(Instant now) noexcept {
 // no longer stands as it was left is his, and stays his.
 // Of a machine that does not give both back, one that is read tells of the other.
 void RememberingLink::compare(const MachineState& m) noexcept {
-  const bool speed = standsAsLeft(left_->speed, m.speedOverride), feed = standsAsLeft(left_->feed, m.feedOverride);
+  const bool onItsWay = memory_->fresh();
+  const bool speed = standsAsLeft(left_->speed, m.speedOverride, onItsWay);
+  const bool feed = standsAsLeft(left_->feed, m.feedOverride, onItsWay);
   const bool notBoth = m.link.overrides == Instant{};
   if (!speed && !(notBoth && feed)) left_->speed.sent = left_->speed.base;
   if (!feed && !(notBoth && speed)) left_->feed.sent = left_->feed.base;

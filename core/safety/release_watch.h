@@ -1,6 +1,7 @@
 // ReleaseWatch: whether what was released has been read back. From the first Set on something of ours may stand in the
 // machine; after a Release it may until the machine shows the operator's own overrides in a reading that came after it.
-// A machine that cannot be read back has nothing to show, and is believed. Thread: link thread. Real-time.
+// A machine that cannot be read back has nothing to show, and is believed once it was heard after it. Thread: link
+// thread. Real-time.
 #pragma once
 
 #include <cmath>
@@ -27,7 +28,7 @@ class ReleaseWatch {
   void look(const MachineState& m) STILLCUT_RT {
     if (!stands_ || released_ == Instant{} || !m.valid || !m.linkUp) return;
     const bool readable = m.link.overrides != Instant{};
-    if (readable && (m.link.overrides <= released_ || m.time <= released_)) return;
+    if (m.time <= released_ || (readable && m.link.overrides <= released_)) return;
     // Overrides that the program has switched off are not in force, whoever set them.
     if (!readable || !m.overridesEnabled || isBack(m)) stands_ = false;
   }

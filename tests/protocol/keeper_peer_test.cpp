@@ -179,5 +179,65 @@ TEST_F(GrblKept, APulledCableIsGoneHomeToWhenItIsInAgain) {
   EXPECT_LT(homeAfter(), 2.0);
 }
 
+// As one that is killed: whoever ends in order is not worse off.
+TEST_F(GrblKept, AProgramThatEndsWithTheCableOutIsGoneHomeForWhenItIsIn) {
+  link_ = make();
+  ASSERT_TRUE(link_->open().ok());
+  ASSERT_TRUE(until(valid));
+  ASSERT_TRUE(take());
+  controller_.pull();
+  link_.reset();
+  EXPECT_FALSE(home());
+  controller_.plugIn();
+  EXPECT_LT(homeAfter(), 2.0);
+}
+
+TEST_F(GrblKept, AKeeperThatIsDeadOrHangsAtTheEndIsReplacedAllTheSame) {
+  for (const int number : {SIGKILL, SIGSTOP}) {
+    link_ = make();
+    ASSERT_TRUE(link_->open().ok());
+    ASSERT_TRUE(until(valid));
+    ASSERT_TRUE(take());
+    ASSERT_TRUE(until([](const MachineState& m) { return std::abs(m.feedOverride.value - 0.9) < 1e-9; }));
+    ::kill(keeperOf(::getpid()), number);
+    link_.reset();
+    EXPECT_LT(homeAfter(), 2.0) << "signal " << number;
+    EXPECT_TRUE(within(kPatience, [&] {
+      link_ = make();
+      return link_->open().ok();
+    })) << "the successor has let go of the machine";
+    link_.reset();
+  }
+}
+
+// What its keeper left is nobody's but the successor's, which has not opened the machine yet.
+TEST_F(GrblKept, AProgramKilledBeforeItsNewKeeperIsReadyIsHomeAllTheSame) {
+  const Commander program([&] { return make(); });
+  ASSERT_TRUE(program.took());
+  const int keeper = keeperOf(program.process());
+  ASSERT_GT(keeper, 0);
+  ::kill(keeper, SIGKILL);
+  ASSERT_TRUE(within(kPatience, [&] {
+    const int next = keeperOf(program.process());
+    return next > 0 && next != keeper;
+  }));
+  program.signal(SIGKILL);
+  EXPECT_LT(homeAfter(), 2.0);
+}
+
+TEST_F(GrblKept, AKeeperKilledWithTheCableOutIsReplacedByOneThatWaitsForIt) {
+  link_ = make();
+  ASSERT_TRUE(link_->open().ok());
+  ASSERT_TRUE(until(valid));
+  ASSERT_TRUE(take());
+  ASSERT_TRUE(until([](const MachineState& m) { return std::abs(m.feedOverride.value - 0.9) < 1e-9; }));
+  controller_.pull();
+  ::kill(keeperOf(::getpid()), SIGKILL);
+  link_.reset();
+  EXPECT_FALSE(within(Seconds(0.3), [&] { return home(); }));
+  controller_.plugIn();
+  EXPECT_LT(homeAfter(), 4.5);  // a start that is refused takes up to 3 s
+}
+
 }  // namespace
 }  // namespace stillcut::app

@@ -28,11 +28,13 @@ constexpr SentOverrides kLeft{{100, 83}, {100, 83}};
 struct Record {
   std::optional<SentOverrides> now;
   int kept = 0;
+  bool fresh = false;
 };
 class FakeMemory final : public OverrideMemory {
  public:
   explicit FakeMemory(Record& record) : record_(record), left_(record.now) {}
   std::optional<SentOverrides> left() const override { return left_; }
+  bool fresh() const noexcept override { return record_.fresh; }
   void keep(const SentOverrides& sent) noexcept override {
     record_.now = sent;
     ++record_.kept;
@@ -137,6 +139,19 @@ TEST(RememberingLink, WhatDoesNotStandAsItWasLeftIsTheOperators) {
     EXPECT_EQ(b.grbl.spindle, stands);
     EXPECT_EQ(b.grbl.feed, stands);
   }
+}
+
+// A keeper that was killed in the middle of a ramp: its successor knows that nobody else had the time.
+TEST(RememberingLink, WhatWasOnItsWayAMomentAgoIsOurs) {
+  GrblBench b(kLeft);
+  b.record.fresh = true;
+  b.grbl.feed = b.grbl.spindle = 91;
+  b.run(3.0);
+  EXPECT_TRUE(b.offered->get());
+  b.link->apply(backToProgrammed(), b.clock.now());
+  b.run(1.0);
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
 }
 
 // The last step of the ramp may be younger than its record.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/safety/release_watch.h"
 #include "tests/support/gate_harness.h"
 
 namespace stillcut::safety {
@@ -158,6 +159,27 @@ TEST_F(LeaseWatchTest, AClockThatGoesBackReleases) {
 TEST_F(LeaseWatchTest, AnEmptyMailboxIsNothing) {
   LeaseWatch lease;
   for (int i = 0; i < 10; ++i) EXPECT_EQ(lease.poll(nullptr, instantFromNs(i)), LinkAction::Nothing);
+}
+
+// A way home that takes a second ends with what was read before it still at hand.
+TEST(ReleaseWatch, WhatWasHeardBeforeTellsNothingEvenWhereNothingIsReadBack) {
+  for (const bool readable : {false, true}) {
+    ReleaseWatch watch;
+    MachineState m;
+    m.valid = m.linkUp = m.overridesEnabled = true;
+    m.speedOverride = m.feedOverride = m.operatorSpeed = m.operatorFeed = Ratio(1.0);
+    const auto heard = [&](int ms) {
+      m.time = instantFromNs(1'000'000L * ms);
+      if (readable) m.link.overrides = m.time;
+      watch.look(m);
+    };
+    watch.set();
+    watch.release(instantFromNs(1'000'000L * 100));
+    heard(90);
+    EXPECT_TRUE(watch.notYetBack()) << readable;
+    heard(1100);
+    EXPECT_FALSE(watch.notYetBack()) << readable;
+  }
 }
 
 }  // namespace
