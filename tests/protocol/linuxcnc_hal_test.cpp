@@ -73,6 +73,44 @@ TEST(LinuxCncHal, HungProgramIsHomeWithinTheLease) {
   EXPECT_EQ(b.mill.spindle, 100);
 }
 
+// The lease of the component is 60 ms, an answer may be later than that: then the override would go home and out again
+// with every answer, and a hand on the knob with it.
+TEST(LinuxCncHal, LeaseIsKeptThoughAnswersAreLaterThanIt) {
+  for (const double late : {0.001, 0.05, 0.15}) {
+    Bench b;
+    b.faults.delay(late);
+    b.run(1.5);
+    b.engage(90.0);
+    b.run(1.0);
+    ASSERT_EQ(b.mill.spindle, 90) << late;
+    for (int i = 0; i < 500; ++i) {
+      b.run(0.004);
+      ASSERT_EQ(b.mill.spindle, 90) << late << ", " << i;
+    }
+    b.mill.spindle = b.mill.shownSpindle = 40;
+    b.run(2.0);
+    EXPECT_EQ(b.mill.spindle, 40) << late << ": the operator's hand";
+    b.link->release(b.clock.now());
+    b.run(2.0);
+    EXPECT_EQ(b.mill.spindle, 40) << late;
+  }
+}
+
+// And nothing that is under way holds it up.
+TEST(LinuxCncHal, AReleaseWaitsForNoAnswer) {
+  Bench b;
+  b.faults.delay(0.15);
+  b.run(1.5);
+  b.engage(90.0);
+  b.run(1.0);
+  ASSERT_EQ(b.mill.spindle, 90);
+  const Instant began = b.clock.now();
+  b.link->apply(b.gate.relinquish(), b.clock.now());
+  while (b.mill.spindle != 100 && b.clock.now() - began < std::chrono::seconds(1)) b.run(0.002);
+  // As long as halui takes, and a tick of the link.
+  EXPECT_LT(secondsBetween(began, b.clock.now()).value, 0.14);
+}
+
 TEST(LinuxCncHal, KilledProgramOrPulledCableIsHomeWithinTheLease) {
   Bench b;
   b.engage(90.0);

@@ -13,8 +13,9 @@ namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(500);
 constexpr Duration kPatience = std::chrono::milliseconds(300);
-constexpr int kReadsAtOnce = 32;                            // of 256 bytes: a peer may flood
-constexpr Duration kEvery = std::chrono::milliseconds(10);  // its lease is 60 ms
+constexpr int kReadsAtOnce = 32;                              // of 256 bytes: a peer may flood
+constexpr Duration kEvery = std::chrono::milliseconds(10);    // its lease is 60 ms
+constexpr Duration kRenewal = std::chrono::milliseconds(20);  // where answers take longer than that
 
 // halui sends a percentage when it changes, once; another program's order at the same moment can push it out.
 constexpr Duration kShowsWithin = std::chrono::milliseconds(500);
@@ -49,14 +50,15 @@ bool HalBackend::done(const EmcOverrides& knobs) const noexcept {
 void HalBackend::close() noexcept {
   channel_->close();
   splitter_.clear();
-  heard_ = waiting_ = false;
+  heard_ = false;
+  waitingFor_ = 0;
   last_ = {};
 }
 
 bool HalBackend::keepUp(Instant now) noexcept {
   switch (channel_->state()) {
     case WireState::Closed:
-      if (heard_ || waiting_) close();
+      if (heard_ || waitingFor_ > 0) close();
       if (now < nextTry_) return false;
       nextTry_ = now + kRetry;
       asked_ = now;
@@ -66,7 +68,7 @@ bool HalBackend::keepUp(Instant now) noexcept {
       if (now - asked_ > kPatience) close();
       return false;
     case WireState::Open:
-      if (!waiting_ || now - asked_ <= kPatience) return true;
+      if (waitingFor_ == 0 || now - unanswered_.front().sent <= kPatience) return true;
       close();
       return false;
   }
@@ -82,13 +84,20 @@ void HalBackend::listen(Instant now) noexcept {
       if (!report) return;
       report_ = *report;
       heard_ = true;
-      if (!std::exchange(waiting_, false)) return;
-      const Instant answered = std::max(now, clock_.now());
-      roundTrip_.take(secondsBetween(sentAt_, answered));
-      if (last_.hold) acknowledged_ = answered;
+      answered(std::max(now, clock_.now()));
     });
     if (n < bytes.size()) break;
   }
+}
+
+void HalBackend::answered(Instant now) noexcept {
+  if (waitingFor_ == 0) return;
+  const Unanswered request = unanswered_.front();
+  std::move(unanswered_.begin() + 1, unanswered_.begin() + static_cast<std::ptrdiff_t>(waitingFor_),
+            unanswered_.begin());
+  --waitingFor_;
+  roundTrip_.take(secondsBetween(request.sent, now));
+  if (request.hold) acknowledged_ = now;
 }
 
 bool HalBackend::left(const SharedOverride& knob) {
@@ -106,12 +115,13 @@ double HalBackend::feedBySpeed(const SharedOverride& speed, double wanted, doubl
   return std::max(present, std::min(wanted, wanted * speed.shown() / speed.target()));
 }
 
-// What to write. A knob that cannot be seen just now is not the operator's: what was written stays (`kept`). Else the
-// goal; and where that does not show, for a moment one per cent beside it, so that it changes.
+// What to write. A knob that cannot be seen just now is not the operator's, and one that may be is not turned before
+// the next reading has told: what was written stays (`kept`). Else the goal; and where that does not show, for a moment
+// one per cent beside it, so that it changes.
 std::optional<int> HalBackend::turn(SharedOverride& knob, Turned& turned, int target, std::optional<int> kept,
                                     Instant now) noexcept {
   if (knob.grabbed()) return std::nullopt;
-  if (!knob.known()) return kept;
+  if (!knob.known() || knob.doubted()) return kept;
   if (target != turned.goal || knob.shown() == target) turned = {target, turned.written, false, now};
   if (now - turned.since > (turned.nudging ? kNudge : kShowsWithin)) {
     turned.nudging = !turned.nudging;
@@ -145,9 +155,9 @@ void HalBackend::send(EmcOverrides& knobs, bool wanted, Instant now) noexcept {
     }
   }
   std::array<char, kHalLine> text{};
-  waiting_ = true;
+  wanted_ = wanted;
   asked_ = now;
-  sentAt_ = std::max(now, clock_.now());
+  if (waitingFor_ < unanswered_.size()) unanswered_[waitingFor_++] = {std::max(now, clock_.now()), r.hold};
   if (!channel_->write(writeHalRequest(r, text))) return close();
   last_ = r;
 }
@@ -160,7 +170,9 @@ void HalBackend::turn(EmcOverrides& knobs, bool wanted, bool, EmcStatus&, Instan
   }
   listen(now);
   const bool news = wanted != last_.hold || (wanted && (knobs.speed.due() || knobs.feed.due()));
-  if (!waiting_ && (news || now - asked_ >= kEvery)) send(knobs, wanted, now);
+  const bool letsGo = wanted_ && !wanted;
+  const bool renews = last_.hold && now - asked_ >= kRenewal && waitingFor_ < unanswered_.size();
+  if (waitingFor_ == 0 ? news || now - asked_ >= kEvery : letsGo || renews) send(knobs, wanted, now);
 }
 
 }  // namespace stillcut::cnc

@@ -1,9 +1,11 @@
 // HalBackend: the knobs through stillcut-hal, the program with HAL pins beside LinuxCNC
 // (core/cnc/linuxcnc/hal_messages.h). It needs no control of linuxcncrsh, so the operator's own screen keeps it, and
 // the machine goes home by itself when we fall silent. A knob that the operator turned is left alone at once. While
-// commands are given every request renews the lease. Thread: link thread.
+// commands are given every request renews the lease, and one that lets go waits for no answer. Thread: link thread.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -49,6 +51,7 @@ class HalBackend final : public EmcBackend {
   double feedBySpeed(const SharedOverride& speed, double wanted, double present) const noexcept;
   bool keepUp(Instant now) noexcept;
   void listen(Instant now) noexcept;
+  void answered(Instant now) noexcept;
   void send(EmcOverrides& knobs, bool wanted, Instant now) noexcept;
 
   std::unique_ptr<ByteChannel> channel_;
@@ -60,8 +63,16 @@ class HalBackend final : public EmcBackend {
   Turned speed_, feed_;
   DelayGauge roundTrip_;
   bool heard_ = false;  // on this connection
-  bool waiting_ = false;
-  Instant asked_{}, nextTry_{}, sentAt_{}, acknowledged_{};
+  // What was sent and is not answered yet, oldest first. A lease is renewed without waiting for the answers: they take
+  // longer than the lease where the machine is far away.
+  struct Unanswered {
+    Instant sent{};
+    bool hold = false;
+  };
+  std::array<Unanswered, 32> unanswered_{};
+  std::size_t waitingFor_ = 0;
+  bool wanted_ = false;                           // when it was sent last
+  Instant asked_{}, nextTry_{}, acknowledged_{};  // asked_: sent last, or connecting since
 };
 
 }  // namespace stillcut::cnc
