@@ -21,6 +21,7 @@ constexpr int kMostFailures = 3;
 constexpr Duration kRefusedFor = std::chrono::milliseconds(100);  // and then it is written again
 constexpr double kAtSpeed = 0.02;                                 // share of the target
 constexpr double kHeartbeatSpan = 32768.0;
+constexpr Duration kHeartbeatGone = std::chrono::seconds(1);  // another master's, and four of its periods at least
 
 constexpr std::array<MachineCommand, 3> kStanding{MachineCommand::Control, MachineCommand::FeedOverride,
                                                   MachineCommand::SpeedOverride};
@@ -109,6 +110,7 @@ void ModbusLink::broke(Instant now) noexcept {
   failures_ = 0;
   nextTry_ = now + kRetry;
   for (RegisterReading& s : seen_) s = RegisterReading{};
+  heartbeats_.lost();
   fastest_ = 0.0;
   for (RegisterWrite& o : orders_) {
     o.written.reset();
@@ -204,6 +206,7 @@ void ModbusLink::takeValue(MachineSignal s, const RegisterWords& words, Instant 
     return;
   }
   if (refused_ && refused_->which == s) refused_.reset();
+  if (s == MachineSignal::Heartbeat) heartbeats_.seen(value, now);
   if (!reading.take(value, jumpOf(s, number(programmedOf(s), 0.0)), now)) {
     reading.due = now;  // again, at once: the next reading decides
   } else if (s == MachineSignal::ProgrammedSpeed) {
@@ -224,6 +227,7 @@ bool ModbusLink::write(MachineCommand which, Instant now) noexcept {
   askedAt_ = std::max(now, clock_.now());
   touched_ = true;
   o.sure = false;
+  if (which == MachineCommand::Heartbeat) heartbeats_.sent(o.wanted);
   if (bus_->write(r->table, r->address, r->words, *words)) return true;
   broke(now);
   return false;
@@ -253,6 +257,8 @@ bool ModbusLink::beat(Instant now) noexcept {
   const auto& beat = map_.at(MachineCommand::Heartbeat);
   RegisterWrite& heart = order(MachineCommand::Heartbeat);
   if (!beat || now - heart.when < toDuration(beat->period)) return false;
+  // From where this computer's clock says: two programs that begin at once do not count in step.
+  if (heart.when == Instant{}) heart.wanted = static_cast<double>(toNs(clock_.now()) / 1'000'000 % 32749);
   heart.wanted = std::fmod(heart.wanted + 1.0, kHeartbeatSpan);
   beatLast_ = true;
   return write(MachineCommand::Heartbeat, now);
@@ -337,7 +343,15 @@ MachineState ModbusLink::state(Instant now) const noexcept {
   const double target = m.targetSpeed().value;
   m.atSpeed = flag(MachineSignal::AtSpeed, std::abs(m.actualSpeed.value - target) <= kAtSpeed * target);
   m.overridesEnabled = flag(MachineSignal::OverridesEnabled, true);
+  m.controlOurs = !anotherMaster(now);
+  if (!m.controlOurs) m.block = OverrideInhibit::OtherClient;
   return m;
+}
+
+bool ModbusLink::anotherMaster(Instant now) const noexcept {
+  if (!map_.at(MachineSignal::Heartbeat)) return false;
+  return heartbeats_.anothers(now,
+                              std::max(kHeartbeatGone, 4 * toDuration(map_.at(MachineCommand::Heartbeat)->period)));
 }
 
 void ModbusLink::apply(const OverrideCommand& command, Instant now) noexcept {

@@ -4,6 +4,7 @@
 // (read_plan.h). While we are in command
 // the heartbeat counts; a machine whose map says `watchdog` restores 100 % when it stops. Registers that the map leaves
 // out: overrides in force are taken as written, "running" as a programmed speed above 0, "at speed" from the speeds.
+// Another master's heartbeat, where it is read back, has the overrides: nothing of ours is taken beside it.
 // A value that can not be (outside of the map's range or of its kind's; a spindle twice as fast as it was ever told to
 // turn) is not believed, and one that jumps only when two readings on end show it.
 // Thread: as CncLink says; a tick waits at most kWait a request and kRequests requests; all of letting go takes at most
@@ -20,6 +21,7 @@
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
 #include "core/cnc/modbus/believed_reading.h"
+#include "core/cnc/modbus/heartbeat_watch.h"
 #include "core/cnc/modbus/read_plan.h"
 #include "core/cnc/modbus/register_bus.h"
 #include "core/cnc/modbus/register_map.h"
@@ -81,6 +83,7 @@ class ModbusLink final : public CncLink {
   const RegisterWrite& order(MachineCommand o) const { return orders_[static_cast<std::size_t>(o)]; }
 
   bool isSlow() const noexcept;
+  bool anotherMaster(Instant now) const noexcept;
 
   RegisterMap map_;
   ReadPlan plan_;
@@ -88,6 +91,7 @@ class ModbusLink final : public CncLink {
   const Clock& clock_;
   std::array<RegisterReading, kMachineSignals> seen_{};
   std::array<RegisterWrite, kMachineCommands> orders_{};
+  HeartbeatWatch heartbeats_;
   Underway underway_ = Underway::Nothing;
   std::size_t which_ = 0;
   double writing_ = 0.0;

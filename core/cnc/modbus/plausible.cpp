@@ -13,6 +13,7 @@ constexpr double kTooFast = 2.0;              // times the programmed speed at t
 constexpr double kLargeJump = 0.25;           // of the programmed value
 constexpr double kSmallJump = 100.0;          // rev/min or mm/min, where little or nothing is programmed
 constexpr double kKnobJump = 10.0;            // %
+constexpr double kAnyCount = 1e12;            // a counter may stand anywhere
 
 bool isSpeed(MachineSignal s) noexcept {
   return s == MachineSignal::ProgrammedSpeed || s == MachineSignal::ActualSpeed;
@@ -24,7 +25,7 @@ bool isFeed(MachineSignal s) noexcept {
 }  // namespace
 
 bool isFlag(MachineSignal s) noexcept {
-  return s >= MachineSignal::Running;
+  return s >= MachineSignal::Running && s <= MachineSignal::OverridesEnabled;
 }
 
 MachineSignal programmedOf(MachineSignal s) noexcept {
@@ -32,7 +33,7 @@ MachineSignal programmedOf(MachineSignal s) noexcept {
 }
 
 bool canBe(const RegisterMap& map, MachineSignal s, double value, double fastest) noexcept {
-  if (isFlag(s)) return true;
+  if (isFlag(s) || s == MachineSignal::Heartbeat) return true;
   double highest = isSpeed(s) ? kFastestSpindle : isFeed(s) ? kFastestFeed : kHighestKnob;
   if (s == MachineSignal::ActualSpeed && fastest > 0.0) highest = kTooFast * fastest * map.highestSpeed.value;
   // Backwards is a speed too; what is programmed and chosen has no sign.
@@ -44,6 +45,7 @@ bool canBe(const RegisterMap& map, MachineSignal s, double value, double fastest
 
 double jumpOf(MachineSignal s, double programmed) noexcept {
   if (isFlag(s)) return 0.5;
+  if (s == MachineSignal::Heartbeat) return kAnyCount;
   if (!isSpeed(s) && !isFeed(s)) return kKnobJump;
   return std::max(kSmallJump, kLargeJump * programmed);
 }

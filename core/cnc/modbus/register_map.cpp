@@ -15,8 +15,9 @@ using config::TomlTable;
 
 constexpr int kVersion = 1;
 constexpr std::array<std::string_view, kMachineSignals> kSignals{
-    "programmed_speed", "programmed_feed", "actual_speed", "actual_feed", "speed_override", "feed_override",
-    "operator_speed",   "operator_feed",   "running",      "feed_hold",   "at_speed",       "overrides_enabled"};
+    "programmed_speed", "programmed_feed",   "actual_speed",  "actual_feed", "speed_override",
+    "feed_override",    "operator_speed",    "operator_feed", "running",     "feed_hold",
+    "at_speed",         "overrides_enabled", "heartbeat"};
 constexpr std::array<std::string_view, kMachineCommands> kOrders{"speed_override", "feed_override", "control",
                                                                  "heartbeat"};
 
@@ -115,6 +116,10 @@ Result<RegisterMap> read(TomlReader in) {
     if (r && (r->table == RegisterTable::Discrete || r->table == RegisterTable::Input)) {
       writes.table(kOrders[i]).refuse("table", message("cannot be written"), message("coil or holding"));
     }
+  }
+  if (map.at(MachineSignal::Heartbeat) && !map.at(MachineCommand::Heartbeat)) {
+    reads.refuse("heartbeat", message("is read without [write.heartbeat]"),
+                 message("another Stillcut could not be told from none"));
   }
   if (map.watchdog && !map.at(MachineCommand::Heartbeat)) {
     root.refuse("watchdog", message("is true without [write.heartbeat]"), message("what would the machine watch?"));

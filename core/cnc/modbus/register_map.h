@@ -33,8 +33,9 @@ enum class MachineSignal : std::uint8_t {
   FeedHold,
   AtSpeed,
   OverridesEnabled,
+  Heartbeat,  // as it stands there, whoever wrote it
 };
-inline constexpr std::size_t kMachineSignals = 12;
+inline constexpr std::size_t kMachineSignals = 13;
 std::string_view name(MachineSignal s);  // as the file has it: "actual_speed"
 
 enum class MachineCommand : std::uint8_t {

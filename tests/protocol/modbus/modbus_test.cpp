@@ -120,6 +120,7 @@ TEST(RegisterMap, BadMapsAreRefusedWithPlaceAndReason) {
         Case{"address = 2", "address = 2\ntable = 'input'", "cannot be written"},
         Case{"address = 1\n", "address = 65535\nwords = 2\n", "no room"},
         Case{"version = 1", "version = 1\nwatchdog = true", "heartbeat"},
+        Case{"address = 1\n", "address = 1\n[read.heartbeat]\naddress = 3\n", "[write.heartbeat]"},
         Case{"address = 1\n", "address = 1\nfloat = true\nwords = 1\n", "float"},
         Case{"address = 1\n", "address = 1\nfloat = true\nsigned = true\n", "float"},
         Case{"address = 1\n", "address = 65535\nfloat = true\n", "no room"},
@@ -227,6 +228,40 @@ TEST(Modbus, AnotherMastersOverrideIsReadBackAndNotFoughtOver) {
   EXPECT_NEAR(m.speedOverride.value, 0.7, 1e-9);  // not taken, the gate says
   EXPECT_EQ(b.plc.holding(100), 700);
   b.link->release(b.clock.now());
+  EXPECT_EQ(b.plc.holding(100), 1000);
+}
+
+// On another computer, perhaps: no lock of this one reaches there.
+TEST(Modbus, AnotherMastersHeartbeatHasTheOverrides) {
+  RegisterMap map = exampleMap();
+  Register count;
+  count.address = 102;
+  map.read[static_cast<std::size_t>(MachineSignal::Heartbeat)] = count;
+  Bench b;
+  const auto make = [&] {
+    return std::make_unique<ModbusLink>(map, std::make_unique<FakeBus>(b.clock, b.plc), b.clock);
+  };
+  b.link = make();
+  const auto other = make();
+  MachineState seen;
+  const auto run = [&](double seconds) {
+    const Instant until = b.clock.now() + toDuration(Seconds(seconds));
+    MachineState m;
+    while (b.clock.now() < until) {
+      m = b.run(0.005);
+      seen = other->read(b.clock.now());
+    }
+    return m;
+  };
+  run(0.5);
+  EXPECT_TRUE(seen.controlOurs) << "nobody is in command";
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  EXPECT_TRUE(run(1.0).controlOurs) << "one's own heartbeat is no other's";
+  EXPECT_FALSE(seen.controlOurs);
+  EXPECT_EQ(seen.block, OverrideInhibit::OtherClient);
+  b.link->release(b.clock.now());
+  run(1.5);
+  EXPECT_TRUE(seen.controlOurs) << "what stands and does not count is nobody's";
   EXPECT_EQ(b.plc.holding(100), 1000);
 }
 
