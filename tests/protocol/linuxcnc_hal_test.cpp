@@ -96,6 +96,24 @@ TEST(LinuxCncHal, LeaseIsKeptThoughAnswersAreLaterThanIt) {
   }
 }
 
+TEST(LinuxCncHal, AHandBeforeOursHasShownIsNotSentOver) {
+  for (const double late : {0.001, 0.1, 0.2}) {
+    Bench b;
+    b.watchFaults.delay(late);
+    b.run(2.0);
+    b.link->apply(b.gate.set(90.0), b.clock.now());
+    for (int i = 0; i < 2000 && !(b.mill.spindle == 90 && b.mill.feed == 90); ++i) b.run(0.002);
+    ASSERT_EQ(b.mill.feed, 90) << late;
+    b.mill.spindle = b.mill.shownSpindle = 40;
+    b.mill.feed = b.mill.shownFeed = 0;
+    for (int i = 0; i < 1500; ++i) {
+      b.run(0.002);
+      ASSERT_EQ(b.mill.spindle, 40) << late << ", " << i;
+      ASSERT_EQ(b.mill.feed, 0) << late << ", " << i;
+    }
+  }
+}
+
 // And nothing that is under way holds it up.
 TEST(LinuxCncHal, AReleaseWaitsForNoAnswer) {
   Bench b;

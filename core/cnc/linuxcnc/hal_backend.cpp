@@ -119,11 +119,11 @@ double HalBackend::feedBySpeed(const SharedOverride& speed, double wanted, doubl
 // the next reading has told: what was written stays (`kept`). Else the goal; and where that does not show, for a moment
 // one per cent beside it, so that it changes.
 std::optional<int> HalBackend::turn(SharedOverride& knob, Turned& turned, int target, std::optional<int> kept,
-                                    Instant now) noexcept {
+                                    Instant read, Instant now) noexcept {
   if (knob.grabbed()) return std::nullopt;
   if (!knob.known() || knob.doubted()) return kept;
   if (target != turned.goal || knob.shown() == target) turned = {target, turned.written, false, now};
-  if (now - turned.since > (turned.nudging ? kNudge : kShowsWithin)) {
+  if (turned.nudging ? now - turned.since > kNudge : read - turned.since > kShowsWithin) {
     turned.nudging = !turned.nudging;
     turned.since = now;
   }
@@ -133,7 +133,7 @@ std::optional<int> HalBackend::turn(SharedOverride& knob, Turned& turned, int ta
   return percent;
 }
 
-void HalBackend::send(EmcOverrides& knobs, bool wanted, Instant now) noexcept {
+void HalBackend::send(EmcOverrides& knobs, bool wanted, const EmcStatus& status, Instant now) noexcept {
   HalRequest r;
   // Let go of once both are seen to be home; held again where one is seen that is not.
   const bool onTheWay = report_.standing == HalLeaseState::Held && !(arrived(knobs.speed) && arrived(knobs.feed));
@@ -143,7 +143,7 @@ void HalBackend::send(EmcOverrides& knobs, bool wanted, Instant now) noexcept {
   r.restoreFeed = percentOf(knobs.feed.base());
   const bool heeded = report_.standing != HalLeaseState::Fallen && report_.standing != HalLeaseState::Taken;
   if (r.hold && heeded) {  // fallen: not taken before we have let go
-    r.speed = turn(knobs.speed, speed_, knobs.speed.target(), last_.speed, now);
+    r.speed = turn(knobs.speed, speed_, knobs.speed.target(), last_.speed, status.spindleOverride.when, now);
     const auto feed = [&](double goal, double present) {
       return wanted ? feedBySpeed(knobs.speed, goal, present) : goal;
     };
@@ -151,7 +151,7 @@ void HalBackend::send(EmcOverrides& knobs, bool wanted, Instant now) noexcept {
       r.adaptiveFeed = feed(std::clamp(knobs.adaptiveFeed.value, 0.0, 1.0), last_.hold ? last_.adaptiveFeed : 1.0);
     } else {
       const double goal = feed(knobs.feed.target(), last_.feed ? feed_.goal : knobs.feed.shown());
-      r.feed = turn(knobs.feed, feed_, static_cast<int>(goal), last_.feed, now);
+      r.feed = turn(knobs.feed, feed_, static_cast<int>(goal), last_.feed, status.feedOverride.when, now);
     }
   }
   std::array<char, kHalLine> text{};
@@ -162,7 +162,7 @@ void HalBackend::send(EmcOverrides& knobs, bool wanted, Instant now) noexcept {
   last_ = r;
 }
 
-void HalBackend::turn(EmcOverrides& knobs, bool wanted, bool, EmcStatus&, Instant now) noexcept {
+void HalBackend::turn(EmcOverrides& knobs, bool wanted, bool, EmcStatus& status, Instant now) noexcept {
   if (!keepUp(now)) {
     knobs.speed.refused();
     knobs.feed.refused();
@@ -172,7 +172,7 @@ void HalBackend::turn(EmcOverrides& knobs, bool wanted, bool, EmcStatus&, Instan
   const bool news = wanted != last_.hold || (wanted && (knobs.speed.due() || knobs.feed.due()));
   const bool letsGo = wanted_ && !wanted;
   const bool renews = last_.hold && now - asked_ >= kRenewal && waitingFor_ < unanswered_.size();
-  if (waitingFor_ == 0 ? news || now - asked_ >= kEvery : letsGo || renews) send(knobs, wanted, now);
+  if (waitingFor_ == 0 ? news || now - asked_ >= kEvery : letsGo || renews) send(knobs, wanted, status, now);
 }
 
 }  // namespace stillcut::cnc

@@ -47,12 +47,12 @@ class HalBackend final : public EmcBackend {
   // Something of ours is seen to stand there; what is on its way home may have been lost on it.
   static bool left(const SharedOverride& knob);
   static std::optional<int> turn(SharedOverride& knob, Turned& turned, int target, std::optional<int> kept,
-                                 Instant now) noexcept;
+                                 Instant read, Instant now) noexcept;
   double feedBySpeed(const SharedOverride& speed, double wanted, double present) const noexcept;
   bool keepUp(Instant now) noexcept;
   void listen(Instant now) noexcept;
   void answered(Instant now) noexcept;
-  void send(EmcOverrides& knobs, bool wanted, Instant now) noexcept;
+  void send(EmcOverrides& knobs, bool wanted, const EmcStatus& status, Instant now) noexcept;
 
   std::unique_ptr<ByteChannel> channel_;
   bool adaptiveFeed_;

@@ -21,6 +21,7 @@ constexpr int kMostFailures = 3;
 constexpr Duration kRefusedFor = std::chrono::milliseconds(100);  // and then it is written again
 constexpr double kAtSpeed = 0.02;                                 // share of the target
 constexpr double kHeartbeatSpan = 32768.0;
+constexpr double kReadBefore = 0.8;                           // of its period
 constexpr Duration kHeartbeatGone = std::chrono::seconds(1);  // another master's, and four of its periods at least
 
 constexpr std::array<MachineCommand, 3> kStanding{MachineCommand::Control, MachineCommand::FeedOverride,
@@ -227,7 +228,11 @@ bool ModbusLink::write(MachineCommand which, Instant now) noexcept {
   askedAt_ = std::max(now, clock_.now());
   touched_ = true;
   o.sure = false;
-  if (which == MachineCommand::Heartbeat) heartbeats_.sent(o.wanted);
+  if (which == MachineCommand::Heartbeat) {
+    heartbeats_.sent(o.wanted);
+    // Read again just before the next one goes out: another master's stands there by then.
+    seen_[static_cast<std::size_t>(MachineSignal::Heartbeat)].due = now + toDuration(r->period * kReadBefore);
+  }
   if (bus_->write(r->table, r->address, r->words, *words)) return true;
   broke(now);
   return false;

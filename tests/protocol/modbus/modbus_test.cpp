@@ -259,6 +259,11 @@ TEST(Modbus, AnotherMastersHeartbeatHasTheOverrides) {
   EXPECT_TRUE(run(1.0).controlOurs) << "one's own heartbeat is no other's";
   EXPECT_FALSE(seen.controlOurs);
   EXPECT_EQ(seen.block, OverrideInhibit::OtherClient);
+  // Both at once: both are told.
+  other->apply(b.gate.set(80.0), b.clock.now());
+  EXPECT_FALSE(run(0.5).controlOurs);
+  EXPECT_FALSE(seen.controlOurs);
+  other->release(b.clock.now());
   b.link->release(b.clock.now());
   run(1.5);
   EXPECT_TRUE(seen.controlOurs) << "what stands and does not count is nobody's";
