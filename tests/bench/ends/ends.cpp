@@ -90,6 +90,12 @@ const std::vector<End>& ends() {
        [](const Program& p, Machine&) { return timed([&] { return p.signal(SIGSTOP), true; }); }},
       {"keeper-killed", "its keeper killed", [](const Program& p, Machine&) { return toKeeper(SIGKILL, p); }},
       {"keeper-hangs", "its keeper hangs", [](const Program& p, Machine&) { return toKeeper(SIGSTOP, p); }},
+      {"keeper-program", "its keeper killed, and the program 0.02 s later",
+       [](const Program& p, Machine&) {
+         if (!toKeeper(SIGKILL, p)) return Moment();
+         pass(Seconds(0.02));
+         return timed([&] { return p.signal(SIGKILL), true; });
+       }},
       {"both", "program and keeper killed at once",
        [](const Program& p, Machine&) {
          const Moment began = toKeeper(SIGKILL, p);
@@ -97,6 +103,10 @@ const std::vector<End>& ends() {
          return began;
        },
        kHome, true},
+      {"component-both", "program and `stillcut-hal` killed at once",
+       [](const Program& p, Machine& m) {
+         return timed([&] { return m.component(SIGKILL) && (p.signal(SIGKILL), true); });
+       }},
       {"component-killed", "`stillcut-hal` killed",
        [](const Program&, Machine& m) { return timed([&] { return m.component(SIGKILL); }); }},
       {"component-hangs", "`stillcut-hal` hangs",
@@ -108,6 +118,14 @@ const std::vector<End>& ends() {
          return forAWhile(p, false, [&](bool on) {
            if (on) p.signal(SIGKILL);
            return m.pull(on);
+         });
+       }},
+      {"cable-closed", "the program closed with the cable out; from when it is in",
+       [](const Program& p, Machine& m) {
+         return forAWhile(p, false, [&](bool on) {
+           const bool done = m.pull(on);
+           if (on) p.tell('c');
+           return done;
          });
        }},
       {"machine-hangs", "the machine hangs for 2.5 s; from when it goes on",
@@ -124,11 +142,11 @@ const std::vector<End>& ends() {
        [](const Program& p, Machine& m) { return lies(p, m, Machine::Lie::Always); }},
       {"hand", "a hand on the knobs (to 40 %, feed 0 %)",
        [](const Program&, Machine& m) { return timed([&] { return m.hand(kHand); }); }, kHand},
-      {"hand-off", "the same, and Off right after it",
+      {"hand-off", "the same, and Off a quarter of a second later",
        [](const Program& p, Machine& m) {
          return timed([&] {
            if (!m.hand(kHand)) return false;
-           pass(Seconds(0.02));
+           pass(Seconds(0.25));  // as soon as a person can
            p.tell('o');
            return true;
          });

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -51,14 +52,15 @@ std::string told(const Tried& t) {
   return std::to_string(std::lround(1e3 * t.seconds)) + " ms";
 }
 
-Tried tryOnce(Machine& machine, const End& end) {
+// `late`: what the wire holds up, each way.
+Tried tryOnce(Machine& machine, const End& end, Seconds late) {
   static const SteadyClock kClock;
   machine.rest();
   const Program program(machine);
   if (!within(kEngages, [&] { return machine.stands() == Stand{kOurs, kOurs}; })) {
     return {Tried::Outcome::NeverThere, 0.0, machine.stands()};
   }
-  within(Seconds(0.15), [] { return false; });  // it has settled
+  within(Seconds(0.15) + late * 4.0, [] { return false; });  // it has settled, and the link has seen it
   const auto began = end.act(program, machine);
   if (!began) return {};
   if (!within(end.mayStay ? kForgotten : kLongest, [&] { return machine.stands() == end.then; })) {
@@ -70,23 +72,35 @@ Tried tryOnce(Machine& machine, const End& end) {
   return {Tried::Outcome::Home, after, end.then};
 }
 
+// "2 left at 83/83", for each place.
+std::string lefts(const std::vector<Tried>& tries, const char* word) {
+  std::map<std::string, int> places;
+  for (const Tried& t : tries) {
+    if (t.outcome == Tried::Outcome::Left) ++places[std::to_string(t.at.speed) + "/" + std::to_string(t.at.feed)];
+  }
+  std::string text;
+  for (const auto& [place, count] : places) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + word + place;
+  }
+  return text.empty() ? "" : "**" + text + "**";
+}
+
 std::string cell(const std::vector<Tried>& tries, bool hand) {
   std::vector<double> home;
   int never = 0;
-  std::string left;
   for (const Tried& t : tries) {
     if (t.outcome == Tried::Outcome::Absent) return "-";
     never += t.outcome == Tried::Outcome::NeverThere ? 1 : 0;
     if (t.outcome == Tried::Outcome::Home) home.push_back(1e3 * t.seconds);
-    if (t.outcome == Tried::Outcome::Left) left += " " + std::to_string(t.at.speed) + "/" + std::to_string(t.at.feed);
   }
+  const std::string left = lefts(tries, hand ? " over it, at " : " left at ");
   const std::string missed = never > 0 ? " (" + std::to_string(never) + " never engaged)" : "";
-  if (home.empty()) return left.empty() ? "never engaged" : "**stays**" + missed;
-  if (hand) return (left.empty() ? "kept" : "**over it:" + left + "**") + missed;
+  if (home.empty()) return left.empty() ? "never engaged" : left + missed;
+  if (hand) return "kept" + (left.empty() ? "" : " " + left) + missed;
   std::sort(home.begin(), home.end());
   char text[64];
   std::snprintf(text, sizeof text, "%.0f, %.0f", home.back(), home[home.size() / 2]);
-  return text + (left.empty() ? "" : " **left at" + left + "**") + missed;
+  return text + (left.empty() ? "" : " " + left) + missed;
 }
 
 std::unique_ptr<Machine> make(const std::string& link, std::string& why) {
@@ -123,7 +137,7 @@ bool row(Machine& machine, const End& end, const std::vector<double>& delays, in
     std::vector<Tried> all;
     try {
       for (int k = 0; k < tries; ++k) {
-        all.push_back(tryOnce(machine, end));
+        all.push_back(tryOnce(machine, end, Seconds(1e-3 * ms)));
         std::fprintf(stderr, "%s, %g ms: %s\n", end.name.c_str(), ms, told(all.back()).c_str());
         if (all.back().outcome == Tried::Outcome::Absent) break;
       }
