@@ -48,7 +48,7 @@ Result<AdviceRequest> requestOf(const AdviseCommand& c, const CutFile& cut) {
   const bool read = parts.size() == 2 && CLI::detail::lexical_cast(parts[0], request.lowest.value) &&
                     CLI::detail::lexical_cast(parts[1], request.highest.value);
   if (!read || !(request.lowest.value > 0.0) || !(request.highest > request.lowest)) {
-    return Error{"--speeds", message("'%1' is no range", c.speeds), message("FROM:TO in rev/min, as 3000:8000")};
+    return Error{"--speeds", message("'%1' is no range", c.speeds), message("FROM:TO in rpm, as 3000:8000")};
   }
   return request;
 }
@@ -127,7 +127,7 @@ const char* howDeep(bool open) {
 void print(const milling::SpeedAdvice& advice, const AdviceRequest& request) {
   const double depth = 1e3 * request.depth.value;
   for (const SpeedPocket& p : advice.pockets) {
-    std::printf("%.0f to %.0f rev/min is stable at %.4g mm; best %.0f: %s %.3g mm", std::ceil(p.from.speed.value),
+    std::printf("%.0f to %.0f rpm is stable at %.4g mm; best %.0f: %s %.3g mm", std::ceil(p.from.speed.value),
                 std::floor(p.to.speed.value), depth, p.best.value, howDeep(p.open), 1e3 * p.limit.value);
     if (request.spread.any()) std::printf(" in nine of ten, %.3g mm expected", 1e3 * p.expected.value);
     if (p.removal > 0.0) std::printf(", %.3g cm3/min", 6e7 * p.removal);
@@ -142,10 +142,9 @@ void print(const milling::SpeedAdvice& advice, const AdviceRequest& request) {
     std::printf("\n");
   }
   if (!advice.pockets.empty()) return;
-  std::printf("no speed from %.0f to %.0f rev/min is stable at %.4g mm", request.lowest.value, advice.highest.value,
-              depth);
+  std::printf("no speed from %.0f to %.0f rpm is stable at %.4g mm", request.lowest.value, advice.highest.value, depth);
   if (advice.deepest) {
-    std::printf("; the deepest stable cut is %.3g mm at %.0f rev/min (chatter at %.0f Hz above it)",
+    std::printf("; the deepest stable cut is %.3g mm at %.0f rpm (chatter at %.0f Hz above it)",
                 1e3 * advice.deepest->depth.value, advice.deepest->speed.value, advice.deepest->frequency.value);
   }
   std::printf("\n");
@@ -176,7 +175,7 @@ int runPitch(const AdviseCommand& c, const CutFile& cut) {
   }
   std::printf("pitch");
   for (double angle : advice->best.pitch) std::printf(" %.1f", angle * 360.0 / kTwoPi);
-  std::printf(" degrees: up to %.3g mm within 2 %% of %.0f rev/min; even teeth: %.3g mm; searched to %.3g mm\n",
+  std::printf(" degrees: up to %.3g mm within 2 %% of %.0f rpm; even teeth: %.3g mm; searched to %.3g mm\n",
               1e3 * advice->best.limit.value, c.pitchAt, 1e3 * advice->even.limit.value, 1e3 * advice->searched.value);
   return kExitDone;
 }
@@ -209,10 +208,10 @@ void addAdvise(CLI::App& app, int& exitCode) {
   addCutOptions(*sub, c->cut);
   sub->add_option("--depth", c->depthMm, "Axial depth of the cut [mm]; left out: the file's")
       ->check(CLI::PositiveNumber);
-  sub->add_option("--speeds", c->speeds, "FROM:TO [rev/min]; left out: what the file's override reaches");
+  sub->add_option("--speeds", c->speeds, "FROM:TO [rpm]; left out: what the file's override reaches");
   sub->add_option("--cutting-speed", c->cuttingSpeed, "Largest of the tool [m/min]")->check(CLI::PositiveNumber);
   addSpread(*sub, c->spread, "speeds and depths then keep clear of the band of the limit");
-  sub->add_option("--pitch-at", c->pitchAt, "Which pitch of the teeth would be best at this speed [rev/min], instead")
+  sub->add_option("--pitch-at", c->pitchAt, "Which pitch of the teeth would be best at this speed [rpm], instead")
       ->check(CLI::PositiveNumber);
   sub->add_flag("--json", c->json, "Print JSON");
   sub->add_option("--threads", c->threads, "Threads to work with")->check(CLI::Range(1, 64));

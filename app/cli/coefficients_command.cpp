@@ -110,7 +110,7 @@ void addCoefficients(CLI::App& app, int& exitCode) {
   CLI::App* sub = app.add_subcommand("coefficients", "Identify cutting coefficients from forces at several feeds");
   sub->add_option("FORCES", c->files, "Recordings of the three forces, one per feed, at least two")->required();
   sub->add_option("--out", c->out, "Write the coefficients to MATERIAL.toml");
-  sub->add_option("--speed", c->speed, "Spindle speed [rev/min]")->required()->check(CLI::PositiveNumber);
+  sub->add_option("--speed", c->speed, "Spindle speed [rpm]")->required()->check(CLI::PositiveNumber);
   sub->add_option("--teeth", c->teeth, "Number of teeth")->required()->check(CLI::Range(1, milling::kMostTeeth));
   sub->add_option("--depth", c->depthMm, "Axial depth [mm]")->required()->check(CLI::PositiveNumber);
   auto* feed = sub->add_option("--feed", c->feedsMmPerMin, "Feed of each file [mm/min], as 300,900")->delimiter(',');

@@ -33,7 +33,7 @@ struct LobesCommand {
 
 // "5000:25000:100"
 Result<std::vector<Rpm>> readSpeeds(const std::string& text) {
-  const Error bad{"--speeds", message("'%1' is no range", text), message("FROM:TO:STEP in rev/min, as 5000:25000:100")};
+  const Error bad{"--speeds", message("'%1' is no range", text), message("FROM:TO:STEP in rpm, as 5000:25000:100")};
   std::vector<double> parts;
   for (const std::string& part : CLI::detail::split(text, ':')) {
     double value = 0.0;
@@ -115,7 +115,7 @@ void addLobes(CLI::App& app, int& exitCode) {
       ->check(CLI::IsMember({"zoa", "sdm", "exact"}));
   sub->add_option("--k", c->cells, "Cells per tooth period, for sdm; left out: as many as the fastest mode calls for");
   sub->add_option("--order", c->order, "Order of sdm, 0 or 1");
-  sub->add_option("--speeds", c->speeds, "FROM:TO:STEP [rev/min], TO included; left out: the modes' lobes");
+  sub->add_option("--speeds", c->speeds, "FROM:TO:STEP [rpm], TO included; left out: the modes' lobes");
   sub->add_option("--max-depth", c->maxDepthMm, "Deepest cut looked at [mm]; left out: the case's")
       ->check(CLI::PositiveNumber);
   addSpread(*sub, c->spread, "adds the band of the limit");

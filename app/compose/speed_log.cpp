@@ -29,8 +29,7 @@ Result<std::vector<pipeline::SpeedLogSource::Point>> readSpeedLog(const std::str
     const std::string place = path + ":" + std::to_string(number);
     if (number == 1) {
       if (line != "t,rpm")
-        return Error{place, message("the header is not 't,rpm'"),
-                     message("a row is a time in s and a speed in rev/min")};
+        return Error{place, message("the header is not 't,rpm'"), message("a row is a time in s and a speed in rpm")};
       continue;
     }
     if (line.empty()) continue;

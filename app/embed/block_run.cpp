@@ -26,7 +26,7 @@ Status check(const CutSetup& setup) {
   if (setup.teeth < 0 || setup.teeth > milling::kMostTeeth)
     return Error{"teeth", message("must be 0 (not known) to 200")};
   if (!(setup.nominalSpeed.value >= 0.0 && setup.nominalSpeed.value <= 1e6))
-    return Error{"speed", message("must be 0 (not known) to 1e6 rev/min")};
+    return Error{"speed", message("must be 0 (not known) to 1e6 rpm")};
   for (const ChannelInfo& channel : setup.channels) {
     if (!(channel.scale > 0.0) || !isFinite(Ratio(channel.scale)))
       return Error{"scale", message("must be above 0 and finite")};

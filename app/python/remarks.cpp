@@ -48,8 +48,7 @@ std::string speedDoubt(const CutSetup& setup, std::span<const float> samples) {
   const evaluate::SignalGuess guess = evaluate::guessFromSignal(*store, request);
   if (guess.speed.value < 2.0 * told.value) return {};
   char text[160];
-  std::snprintf(text, sizeof text,
-                "the signal fits %.0f rev/min better than %.4g: was %.4g given in revolutions a second?",
+  std::snprintf(text, sizeof text, "the signal fits %.0f rpm better than %.4g: was %.4g given in revolutions a second?",
                 guess.speed.value, told.value, told.value);
   return text;
 }
@@ -62,7 +61,7 @@ std::vector<std::string> remarks(const CutSetup& setup, std::span<const float> s
   if (!(setup.nominalSpeed.value > 0.0)) {
     char found[96] = "none found in the signal, nothing can be judged against it";
     if (spindle.value > 0.0)
-      std::snprintf(found, sizeof found, "taken from the signal, on average %.0f rev/min", toRpm(spindle).value);
+      std::snprintf(found, sizeof found, "taken from the signal, on average %.0f rpm", toRpm(spindle).value);
     lines.push_back("speed not given: " + std::string(found));
   }
   std::string doubt = speedDoubt(setup, samples);

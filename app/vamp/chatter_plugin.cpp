@@ -104,8 +104,7 @@ std::size_t ChatterPlugin::getMaxChannelCount() const {
 Vamp::Plugin::ParameterList ChatterPlugin::getParameterDescriptors() const {
   ParameterList all(kParameters);
   all[kTeeth] = parameter("teeth", "Teeth", "Of the tool; 0: not known", "", 200.0F, 0.0F);
-  all[kSpeed] =
-      parameter("speed", "Spindle speed", "Nominal; 0: looked for in the signal", "rev/min", 100'000.0F, 0.0F);
+  all[kSpeed] = parameter("speed", "Spindle speed", "Nominal; 0: looked for in the signal", "rpm", 100'000.0F, 0.0F);
   all[kSensor] = parameter("sensor", "Sensor", "What the samples are", "", kSensors.size() - 1.0F, 0.0F);
   for (const SensorQuantity q : kSensors) all[kSensor].valueNames.emplace_back(name(q));
   all[kScale] =

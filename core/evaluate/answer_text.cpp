@@ -36,17 +36,17 @@ Message trySpeeds(const SpeedAnswer& a, const AnswerWriting& w) {
   const Message depth = lessDepth(a, w);
   const SpeedChoice& first = a.choices.front();
   if (first.basis == SpeedBasis::Lobes) {
-    return message("try %1 rev/min (stable from %2 to %3 rev/min by the lobes), or %4", speedText(first.speed, w),
+    return message("try %1 rpm (stable from %2 to %3 rpm by the lobes), or %4", speedText(first.speed, w),
                    speedText(first.from, w), speedText(first.to, w), depth);
   }
   const std::string hertz = w.number(a.chatter.value, 0);
   const std::string now = wavesText(a.waves, w);
   if (a.choices.size() < kMostChoices) {
-    return message("try %1 rev/min (%2 waves of %3 Hz between two teeth instead of %4), or %5",
-                   speedText(first.speed, w), wavesText(first.waves, w), hertz, now, depth);
+    return message("try %1 rpm (%2 waves of %3 Hz between two teeth instead of %4), or %5", speedText(first.speed, w),
+                   wavesText(first.waves, w), hertz, now, depth);
   }
   const SpeedChoice& second = a.choices[1];
-  return message("try %1 or %2 rev/min (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7",
+  return message("try %1 or %2 rpm (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7",
                  speedText(first.speed, w), speedText(second.speed, w), wavesText(first.waves, w),
                  wavesText(second.waves, w), hertz, now, depth);
 }

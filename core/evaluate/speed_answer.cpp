@@ -27,11 +27,11 @@ Message whyNone(const control::SpeedQuestion& q) {
   if (q.teeth <= 0) return message("no speed follows while the number of teeth is not known");
   if (!(q.present.value > 0.0)) return message("no speed follows while the spindle speed is not known");
   if (q.known != nullptr && q.known->ranges.empty()) {
-    return message("no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rev/min would be",
+    return message("no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rpm would be",
                    millimetres(q.known->depth), millimetres(q.known->largestStableDepth),
                    whole(q.known->largestDepthSpeed.value));
   }
-  return message("no stable speed lies between %1 and %2 rev/min", whole(q.reach.low.value), whole(q.reach.high.value));
+  return message("no stable speed lies between %1 and %2 rpm", whole(q.reach.low.value), whole(q.reach.high.value));
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ SpeedAnswer answerSpeed(const SpeedRequest& request) {
   if (answer.choices.empty()) {
     answer.why = whyNone(question);
   } else if (question.known == nullptr && 0.5 / answer.waves < kSpeedDoubt) {
-    answer.why = message("stable speeds are only %1 rev/min apart here, so that less depth is the surer way",
+    answer.why = message("stable speeds are only %1 rpm apart here, so that less depth is the surer way",
                          whole(question.present.value / answer.waves));
   }
   return answer;

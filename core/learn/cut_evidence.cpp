@@ -18,7 +18,7 @@ Status check(const CutEvidence& cut, const std::string& where) {
   if (cut.assembly.machine.empty() || cut.assembly.tool.empty()) return bad(message("machine and tool must be named"));
   if (cut.teeth < 1 || cut.teeth > milling::kMostTeeth) return bad(message("teeth must be 1 to 200"));
   if (!within(cut.diameter.value, 0.0, 1.0)) return bad(message("diameter must lie above 0 and up to 1000 mm"));
-  if (!within(cut.speed.value, 0.0, 1e6)) return bad(message("speed must lie above 0 and up to 1e6 rev/min"));
+  if (!within(cut.speed.value, 0.0, 1e6)) return bad(message("speed must lie above 0 and up to 1e6 rpm"));
   if (!within(cut.depth.value, 0.0, 1.0)) return bad(message("depth must lie above 0 and up to 1000 mm"));
   if (!within(cut.engagement.radialImmersion, 0.0, 1.0)) return bad(message("radial immersion must lie in (0, 1]"));
   if (!(cut.doubt >= 0.0 && cut.doubt <= 0.5)) return bad(message("doubt must lie between 0 and 0.5"));

@@ -18,7 +18,7 @@ std::string wholeSpeed(Rpm speed) {
 }
 
 void addSpeedOrDepth(const RemedyRequest& r, std::vector<Message>& words) {
-  if (r.quietSpeed) words.push_back(message("another speed: %1 rev/min", wholeSpeed(*r.quietSpeed)));
+  if (r.quietSpeed) words.push_back(message("another speed: %1 rpm", wholeSpeed(*r.quietSpeed)));
   if (r.quietDepth) words.push_back(message("less depth: %1 mm", number("%.2f", 1e3 * r.quietDepth->value)));
 }
 
@@ -27,8 +27,7 @@ void addForced(const RemedyRequest& r, std::vector<Message>& words) {
   if (r.teeth > 0 && r.frequency.value > 0.0 && r.speed.value > 0.0) {
     const double harmonic = std::max(1.0, std::round(r.frequency / toothPassing(r.speed, r.teeth)));
     const Rpm off(60.0 * 0.9 * r.frequency.value / (harmonic * r.teeth));
-    words.push_back(
-        message("a tooth harmonic meets a resonance: take the speed off it, as %1 rev/min", wholeSpeed(off)));
+    words.push_back(message("a tooth harmonic meets a resonance: take the speed off it, as %1 rpm", wholeSpeed(off)));
   } else {
     words.push_back(message("a tooth harmonic meets a resonance: take the speed off it"));
   }
@@ -72,8 +71,8 @@ std::vector<Message> remembered(std::span<const CutEvidence> cuts, Rpm speed, Me
     if (!chatter && cut.depth >= 0.95 * depth && nearer(cut, quiet)) quiet = &cut;
   }
   std::vector<Message> words;
-  if (loud != nullptr) words.push_back(message("this tool chattered at %1 rev/min", wholeSpeed(loud->speed)));
-  if (quiet != nullptr) words.push_back(message("it was quiet at %1 rev/min", wholeSpeed(quiet->speed)));
+  if (loud != nullptr) words.push_back(message("this tool chattered at %1 rpm", wholeSpeed(loud->speed)));
+  if (quiet != nullptr) words.push_back(message("it was quiet at %1 rpm", wholeSpeed(quiet->speed)));
   return words;
 }
 

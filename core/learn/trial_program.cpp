@@ -51,7 +51,7 @@ Status checkTrial(const TrialProgram& t) {
   if (t.teeth < 1 || t.teeth > 200) return bad(message("teeth must be 1 to 200"));
   if (!above(t.diameter.value, 1.0)) return bad(message("diameter must lie above 0 and up to 1000 mm"));
   if (!above(t.feedPerTooth.value, 0.01)) return bad(message("feed per tooth must lie above 0 and up to 10 mm"));
-  if (!above(t.speed.value, 1e6)) return bad(message("speed must lie above 0 and up to 1e6 rev/min"));
+  if (!above(t.speed.value, 1e6)) return bad(message("speed must lie above 0 and up to 1e6 rpm"));
   if (!above(t.depth.value, 1.0)) return bad(message("depth must lie above 0 and up to 1000 mm"));
   if (!above(t.length.value, 100.0)) return bad(message("length must lie above 0 and up to 100 m"));
   if (!above(t.clearance.value, 1.0)) return bad(message("clearance must lie above 0 and up to 1000 mm"));

@@ -3,7 +3,7 @@
 import numpy
 import stillcut
 
-rate, teeth, speed = 25600.0, 4, 6000.0  # Hz, 1, rev/min
+rate, teeth, speed = 25600.0, 4, 6000.0  # Hz, 1, rpm
 t = numpy.arange(0.0, 6.0, 1.0 / rate)
 x = numpy.random.default_rng(1).normal(0.0, 0.05, t.size) + 0.3 * numpy.sin(2.0 * numpy.pi * speed / 60.0 * t)
 for n in range(1, 5):
@@ -13,7 +13,7 @@ x += (t > 2.0) * numpy.minimum(5.0, 0.01 * numpy.exp(8.0 * (t - 2.0))) * numpy.s
 answer = stillcut.analyze(x, rate, teeth, speed)["answer"]
 print(answer["sentence"])
 print(answer["judged_sentence"])
-print([round(choice["speed_rpm"]) for choice in answer["advice"]["speeds"]], "rev/min would be stable")
+print([round(choice["speed_rpm"]) for choice in answer["advice"]["speeds"]], "rpm would be stable")
 
 detector = stillcut.Detector(rate=rate, teeth=teeth, speed=speed)
 for block in numpy.array_split(x, 600):  # as a sensor would give them
@@ -25,4 +25,4 @@ for block in numpy.array_split(x, 600):  # as a sensor would give them
 mode = stillcut.Mode(frequency=1300.0, damping=0.02, stiffness=1.5e7)
 lobes = stillcut.lobes([mode], [5500.0, 6000.0, 6500.0], teeth=teeth, diameter=0.012, tangential=7e8, radial=2e8)
 for at, depth in zip(lobes.speed, lobes.depth):
-    print(f"{at:.0f} rev/min: stable to {1e3 * depth:.2f} mm")
+    print(f"{at:.0f} rpm: stable to {1e3 * depth:.2f} mm")

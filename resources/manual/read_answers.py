@@ -20,7 +20,7 @@ with tempfile.TemporaryDirectory() as folder:
 
 print(answer["sentence"])
 for choice in (answer["advice"] or {"speeds": []})["speeds"]:
-    print(f"  {choice['speed_rpm']:.0f} rev/min, {choice['waves']:.3g} waves between two teeth")
+    print(f"  {choice['speed_rpm']:.0f} rpm, {choice['waves']:.3g} waves between two teeth")
 
 detector = answer["detector"]
 t, valid = table["t"], table[detector + ".valid"] == 1  # what is not valid was not judged

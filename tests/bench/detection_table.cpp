@@ -95,7 +95,7 @@ class Table {
 
   void run(const KnownCut& cut) {
     if (options_.each) {
-      std::printf("%s %s: Z%d %.0f rev/min, 1 %% %.3f s, 20 %% %.3f s, %.1f Hz, %s, last above %.3f s\n",
+      std::printf("%s %s: Z%d %.0f rpm, 1 %% %.3f s, 20 %% %.3f s, %.1f Hz, %s, last above %.3f s\n",
                   cut.family.c_str(), cut.name.c_str(), cut.teeth, cut.rpm, cut.at1, cut.at20, cut.chatterHz,
                   std::string(name(cut.kind)).c_str(), cut.lastAbove);
     }

@@ -70,7 +70,7 @@ Made slot(Draw& draw, ChatterBegin begin) {
   const double nearest = std::round(draw.ratio(800.0, 2400.0) / (s.speed / 60.0));
   s.order = std::max(2.0, nearest) + draw.oneOf({-1.0, 1.0}) * draw.between(0.05, 0.5);
   if (begin == ChatterBegin::Never) s.length = 13.0;
-  return {slotChatter(s), words("%.0f rev/min, order %.3f (%.1f Hz)", s.speed, s.order, s.order * s.speed / 60.0)};
+  return {slotChatter(s), words("%.0f rpm, order %.3f (%.1f Hz)", s.speed, s.order, s.order * s.speed / 60.0)};
 }
 
 field::FourFluteSound fourFlutes(Draw& draw) {
@@ -81,7 +81,7 @@ field::FourFluteSound fourFlutes(Draw& draw) {
 }
 
 std::string told(const field::FourFluteSound& s) {
-  return words("%.0f rev/min, %.1f Hz, order %.3f", s.speed, s.chatter, s.chatter / (s.speed / 60.0));
+  return words("%.0f rpm, %.1f Hz, order %.3f", s.speed, s.chatter, s.chatter / (s.speed / 60.0));
 }
 
 struct Kind {
@@ -119,7 +119,7 @@ std::vector<Kind> kinds() {
          s.speed = d.ratio(2500.0, 12000.0);
          const double spindle = s.speed / 60.0;
          s.chatter = (std::round(d.ratio(400.0, 1500.0) / spindle) + d.between(-0.45, -0.08)) * spindle;
-         return Made{mainsHum(s), words("%.0f rev/min, %.1f Hz, hum %.2f", s.speed, s.chatter, s.hum) +
+         return Made{mainsHum(s), words("%.0f rpm, %.1f Hz, hum %.2f", s.speed, s.chatter, s.hum) +
                                       (s.mains > 55.0 ? " of 60 Hz" : " of 50 Hz")};
        }},
       {"axis drive",
@@ -128,7 +128,7 @@ std::vector<Kind> kinds() {
          s.highest = d.between(300.0, 1500.0);
          s.move = d.between(1.0, 4.0);
          s.speed = d.ratio(3000.0, 14000.0);
-         return Made{axisDrive(s), words("%.0f rev/min, to %.0f Hz, amplitude %.2f", s.speed, s.highest, s.amplitude)};
+         return Made{axisDrive(s), words("%.0f rpm, to %.0f Hz, amplitude %.2f", s.speed, s.highest, s.amplitude)};
        }},
   };
 }

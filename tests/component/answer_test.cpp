@@ -152,7 +152,7 @@ TEST(Answer, NamesChatterSpeedsAndDepth) {
   RecordingAnswer a = chatterAnswer();
   EXPECT_EQ(text(findingSentence(a, english)), "chatter at 1502 Hz from 3.3 s on");
   EXPECT_EQ(text(adviceSentence(a.advice, english)),
-            "try 9,010 or 10,010 rev/min (5 or 4½ waves of 1502 Hz between two teeth instead of 4.74), or less depth");
+            "try 9,010 or 10,010 rpm (5 or 4½ waves of 1502 Hz between two teeth instead of 4.74), or less depth");
   a.advice.depthLimit = Metres(1.25e-3);
   EXPECT_THAT(text(adviceSentence(a.advice, english)), testing::EndsWith("or less than 1.25 mm of depth"));
   EXPECT_EQ(text(judgedSentence(a, english)), "judged 6.0 of 8.0 s; the rest: 2.0 s of air cutting");
@@ -168,9 +168,9 @@ TEST(Answer, SaysWhyNoSpeedFollows) {
   none.largestStableDepth = Metres(0.5e-3);
   none.largestDepthSpeed = Rpm(9100.0);
   EXPECT_THAT(said({{Hertz(1502.0), 2, Rpm(9500.0), {}, &none}, {}}),
-              testing::AllOf(testing::HasSubstr("2.00 mm"), testing::HasSubstr("0.50 mm at 9100 rev/min")));
+              testing::AllOf(testing::HasSubstr("2.00 mm"), testing::HasSubstr("0.50 mm at 9100 rpm")));
   // 30 waves between two teeth: pockets nearer than a spindle can be set.
-  EXPECT_THAT(said({{Hertz(3020.0), 2, Rpm(3000.0), {}, nullptr}, {}}), testing::HasSubstr("rev/min apart"));
+  EXPECT_THAT(said({{Hertz(3020.0), 2, Rpm(3000.0), {}, nullptr}, {}}), testing::HasSubstr("rpm apart"));
 }
 
 TEST(Answer, NotJudgedNamesTheReason) {

@@ -65,7 +65,7 @@ TEST(LinkTrial, GoodLinkPassesEveryStepIsMeasuredAndNothingMoves) {
   EXPECT_NEAR(b.trial.look().value, 0.004, 1e-9);
   EXPECT_NEAR(b.trial.age().value, 0.004, 1e-9);
   EXPECT_EQ(text(b.trial.steps()[1].said),
-            "no program running; spindle 7200 rev/min, programmed 8000; overrides 90 % speed, 100 % feed");
+            "no program running; spindle 7200 rpm, programmed 8000; overrides 90 % speed, 100 % feed");
   EXPECT_EQ(b.machine.closed, 1);
   EXPECT_EQ(b.machine.moved, 0);
 }
@@ -74,7 +74,7 @@ TEST(LinkTrial, ASpeedThatNothingMeasuresIsNoSpeed) {
   Bench b;
   b.machine.measures = false;
   b.run();
-  EXPECT_NE(text(b.trial.steps()[1].said).find("spindle programmed 8000 rev/min, not measured"), std::string::npos);
+  EXPECT_NE(text(b.trial.steps()[1].said).find("spindle programmed 8000 rpm, not measured"), std::string::npos);
 }
 
 TEST(LinkTrial, SaysWhetherTheMachineWatches) {

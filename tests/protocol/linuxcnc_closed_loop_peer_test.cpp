@@ -143,7 +143,7 @@ TEST(LinuxCncClosedLoop, ChatterIsFoundAndSuppressedThroughTheRealController) {
     if (const Snapshot* s = run.read()) look(*s, seen);
     return seen.chatterAtProgrammedSpeed && seen.quiet.value > 1.5;
   });
-  std::printf("LinuxCNC's spindle at %.0f rev/min, feed %.0f %%, vibration %.3g of its peak\n",
+  std::printf("LinuxCNC's spindle at %.0f rpm, feed %.0f %%, vibration %.3g of its peak\n",
               seen.machine.actualSpeed.value, 100.0 * seen.machine.feedOverride.value, seen.lastRms / seen.peakRms);
   EXPECT_TRUE(seen.chatterAtProgrammedSpeed);
   EXPECT_TRUE(suppressed) << "quiet for " << seen.quiet.value << " s, now " << name(seen.state) << ": "

@@ -165,7 +165,7 @@ std::string comparisonText(const Scenario& s, const KnownLimit& known, double fa
   static constexpr std::array<const char*, 5> kWords{"agrees", "no time to grow", "stable, called chatter",
                                                      "unstable, not called chatter", "another frequency"};
   std::snprintf(line.data(), line.size(),
-                "%s: %d teeth, immersion %.3f %s, helix %.0f deg, exponent %.2f, %.0f rev/min, %.1f x %.3f mm (%s at "
+                "%s: %d teeth, immersion %.3f %s, helix %.0f deg, exponent %.2f, %.0f rpm, %.1f x %.3f mm (%s at "
                 "%.1f Hz, %.0f "
                 "e-folds): found %.1f Hz, peak ratio %.3f",
                 kWords[static_cast<std::size_t>(c.agreement)], s.model.tool.teeth, s.model.engagement.radialImmersion,

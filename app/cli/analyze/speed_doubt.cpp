@@ -49,8 +49,7 @@ std::string speedDoubt(const std::string& path, const record::ReadOptions& read,
   const evaluate::SignalGuess guess = evaluate::guessFromSignal(*samples, request);
   if (guess.speed.value < 2.0 * told.value) return {};
   char text[160];
-  std::snprintf(text, sizeof text,
-                "the signal fits %.0f rev/min better than %.4g: was %.4g typed in revolutions a second?",
+  std::snprintf(text, sizeof text, "the signal fits %.0f rpm better than %.4g: was %.4g typed in revolutions a second?",
                 guess.speed.value, told.value, told.value);
   return text;
 }

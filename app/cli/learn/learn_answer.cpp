@@ -129,14 +129,14 @@ void printPosture(Learned& learned, double risk) {
   learn::MapRequest request = learned.work;
   request.speeds = 16;
   const learn::LimitQuantiles limits = limitQuantiles(learned.posterior, request, risk);
-  std::printf("%10s %10s %10s %10s %14s\n", "rev/min", "10 % [mm]", "50 % [mm]", "90 % [mm]", "at risk [mm]");
+  std::printf("%10s %10s %10s %10s %14s\n", "rpm", "10 % [mm]", "50 % [mm]", "90 % [mm]", "at risk [mm]");
   for (std::size_t i = 0; i < limits.speeds.size(); ++i) {
     std::printf("%10.0f %10.2f %10.2f %10.2f %14.2f\n", limits.speeds[i].value, 1e3 * limits.low[i].value,
                 1e3 * limits.median[i].value, 1e3 * limits.high[i].value, 1e3 * limits.atRisk[i].value);
   }
   request.speeds = 160;
   const learn::LearnedAdvice best = learnedAdvice(learned.posterior, request, risk);
-  std::printf("most is removed at %.0f rev/min and %.2f mm, stable with %.0f %%\n", best.speed.value,
+  std::printf("most is removed at %.0f rpm and %.2f mm, stable with %.0f %%\n", best.speed.value,
               1e3 * best.depth.value, 100.0 * best.probabilityStable);
 }
 

@@ -113,7 +113,7 @@ int runAdd(const AddCommand& c) {
   if (c.json) {
     print({{"schema", kJsonSchema}, {"command", "learn add"}, {"cut", toJson(*cut)}});
   } else {
-    std::printf("kept as %s: %s at %.0f rev/min, %.3g mm\n", id->c_str(), std::string(name(cut->outcome)).c_str(),
+    std::printf("kept as %s: %s at %.0f rpm, %.3g mm\n", id->c_str(), std::string(name(cut->outcome)).c_str(),
                 cut->speed.value, 1e3 * cut->depth.value);
   }
   return kExitDone;
@@ -136,10 +136,10 @@ int runShow(const AskCommand& c) {
 }
 
 void printNext(const learn::NextCut& next) {
-  std::printf("next: %.0f rev/min, %.2f mm; stable with %.0f %%, tells %.1f bits\n", next.speed.value,
+  std::printf("next: %.0f rpm, %.2f mm; stable with %.0f %%, tells %.1f bits\n", next.speed.value,
               1e3 * next.depth.value, 100.0 * next.probabilityStable, next.bits);
   const auto best = [](const char* when, const learn::LearnedAdvice& a) {
-    if (a.removal > 0.0) std::printf("%s %.0f rev/min and %.2f mm\n", when, a.speed.value, 1e3 * a.depth.value);
+    if (a.removal > 0.0) std::printf("%s %.0f rpm and %.2f mm\n", when, a.speed.value, 1e3 * a.depth.value);
   };
   best("best cut as of now:", next.now);
   best("if it is stable:   ", next.ifStable);
@@ -249,7 +249,7 @@ void addAdding(CLI::App& learn, int& exitCode) {
       ->check(CLI::Range(0.001, 1.0));
   sub->add_option("--side", c->work.side, "up or down")->check(CLI::IsMember({"up", "down"}));
   sub->add_option("--material", c->work.material, "Material of the part");
-  sub->add_option("--speed", c->speed, "Spindle speed [rev/min]; may be left out where the answer says it");
+  sub->add_option("--speed", c->speed, "Spindle speed [rpm]; may be left out where the answer says it");
   sub->add_option("--depth", c->depthMm, "Axial depth [mm]")->required()->check(CLI::PositiveNumber);
   sub->add_option("--outcome", c->outcome, "stable or chatter")->check(CLI::IsMember({"stable", "chatter"}));
   sub->add_option("--answer", c->answer, "What analyze --json said of the cut's recording, instead of --outcome");

@@ -40,7 +40,7 @@ Status readSpeeds(const std::string& text, learn::MapRequest& work) {
                     CLI::detail::lexical_cast(parts[1], work.highest.value) && work.lowest.value > 0.0 &&
                     work.highest > work.lowest && work.highest.value <= 1e6;
   if (read) return Done{};
-  return Error{"--speeds", message("'%1' is no range", text), message("FROM:TO in rev/min, as 3000:8000")};
+  return Error{"--speeds", message("'%1' is no range", text), message("FROM:TO in rpm, as 3000:8000")};
 }
 
 Status missing(const char* option, Message what) {
@@ -112,7 +112,7 @@ void WorkOptions::add(CLI::App& command) {
   for (const learn::MaterialGuess& m : learn::knownMaterials()) names.emplace_back(m.name);
   command.add_option("--material", material, "Material of the part; left out: the newest cut's")
       ->check(CLI::IsMember(names));
-  command.add_option("--speeds", speeds, "FROM:TO that the machine can run [rev/min]");
+  command.add_option("--speeds", speeds, "FROM:TO that the machine can run [rpm]");
   command.add_option("--max-depth", maxDepthMm, "Deepest cut looked at [mm]; left out: the diameter")
       ->check(CLI::PositiveNumber);
   command.add_option("--risk", risk, "Probability of chatter that advice may carry")->check(CLI::Range(0.01, 0.5));

@@ -133,7 +133,7 @@ void addMargin(CLI::App& learn, int& exitCode) {
   c->store.add(*sub);
   c->assembly.add(*sub);
   c->work.add(*sub);
-  sub->add_option("--speed", c->speed, "Spindle speed, as exact as it is known [rev/min]")
+  sub->add_option("--speed", c->speed, "Spindle speed, as exact as it is known [rpm]")
       ->required()
       ->check(CLI::PositiveNumber);
   sub->add_option("--depth", c->depthMm, "Axial depth [mm]")->required()->check(CLI::PositiveNumber);

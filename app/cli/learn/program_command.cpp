@@ -56,8 +56,8 @@ void addTrialProgram(CLI::App& learn, int& exitCode) {
   sub->add_option("--teeth", c->trial.teeth, "Teeth of the tool")->required()->check(CLI::Range(1, 200));
   sub->add_option("--diameter", c->diameterMm, "Diameter of the tool [mm]")->required()->check(CLI::PositiveNumber);
   sub->add_option("--feed", c->feedMm, "Feed per tooth [mm]")->required()->check(CLI::PositiveNumber);
-  sub->add_option("--speed", c->speed, "Spindle speed, of a sweep the first [rev/min]")->required();
-  sub->add_option("--to-speed", c->lastSpeed, "Last speed of a sweep [rev/min]");
+  sub->add_option("--speed", c->speed, "Spindle speed, of a sweep the first [rpm]")->required();
+  sub->add_option("--to-speed", c->lastSpeed, "Last speed of a sweep [rpm]");
   sub->add_option("--depth", c->depthMm, "Axial depth, of an incline the first [mm]")->required();
   sub->add_option("--to-depth", c->lastDepthMm, "Last depth of an incline [mm]");
   sub->add_option("--length", c->lengthMm, "Length of material along X [mm]")->required();

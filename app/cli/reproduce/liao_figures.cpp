@@ -106,7 +106,7 @@ Result<FigureResult> experiment(const std::string& name, const std::string& titl
   figure.picture.panels = {
       signalPanel("Force in x, left alone", *alone, 0),
       signalPanel("Force in x, under the quarter-phase rule", *controlled, 0),
-      rowsPanel("Spindle speed", "rev/min", both, turningSpeed),
+      rowsPanel("Spindle speed", "rpm", both, turningSpeed),
       densityPanel(
           "Force in x", "N",
           {density("before the alarm", cutOut(*controlled, 0, {began - 1.0, began}), controlled->rate, 0.512),
@@ -116,7 +116,7 @@ Result<FigureResult> experiment(const std::string& name, const std::string& titl
   figure.numbers = std::move(numbers);
   figure.numbers.push_back({"chatter frequency of our cut", "Hz", kNotPrinted, alone->chatterHz, "of our model"});
   figure.numbers.push_back(
-      {"speed at the end of our cut", "rev/min", kNotPrinted, controlled->rows.back().asked_rpm, "asked for"});
+      {"speed at the end of our cut", "rpm", kNotPrinted, controlled->rows.back().asked_rpm, "asked for"});
   return figure;
 }
 
@@ -126,15 +126,13 @@ void addLiaoFigures(std::vector<Figure>& list) {
   list.push_back(
       {"liao-4", "Liao 1996, figure 4", "displacement without control and with five phase factors", simulation});
   list.push_back({"liao-6", "Liao 1996, figure 6", "S45C: force and spectra before and after the corrections", [] {
-                    return experiment(
-                        "liao-1", "Liao 1996, figure 6: S45C at 950 rev/min",
-                        {{"rule on 150 Hz at 950 rev/min", "rev/min", 694.0, byRule(150.0, 950.0), ""},
-                         {"rule on 115.2 Hz at 694 rev/min", "rev/min", 531.0, byRule(115.2, 694.0), ""}});
+                    return experiment("liao-1", "Liao 1996, figure 6: S45C at 950 rpm",
+                                      {{"rule on 150 Hz at 950 rpm", "rpm", 694.0, byRule(150.0, 950.0), ""},
+                                       {"rule on 115.2 Hz at 694 rpm", "rpm", 531.0, byRule(115.2, 694.0), ""}});
                   }});
   list.push_back({"liao-7", "Liao 1996, figure 7", "aluminium: force and spectra before and after the correction", [] {
-                    return experiment(
-                        "liao-2", "Liao 1996, figure 7: aluminium at 1000 rev/min",
-                        {{"rule on 125 Hz at 1000 rev/min", "rev/min", 833.3, byRule(125.0, 1000.0), ""}});
+                    return experiment("liao-2", "Liao 1996, figure 7: aluminium at 1000 rpm",
+                                      {{"rule on 125 Hz at 1000 rpm", "rpm", 833.3, byRule(125.0, 1000.0), ""}});
                   }});
 }
 

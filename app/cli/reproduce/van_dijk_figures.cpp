@@ -49,7 +49,7 @@ Result<FigureResult> detection() {
   const auto trace = ramp("monitor");
   if (!trace) return trace.error();
   FigureResult figure;
-  figure.picture.title = "van Dijk 2010, figure 9: detection, depth 2 to 3 mm over 600 mm at 35 000 rev/min";
+  figure.picture.title = "van Dijk 2010, figure 9: detection, depth 2 to 3 mm over 600 mm at 35 000 rpm";
   figure.picture.panels = {
       signalPanel("Acceleration at the spindle, x", *trace, 0),
       indicatorPanel("Variance of the residual", "(m/s\u00b2)\u00b2", *trace, "parametric", "variance", Along::Path),
@@ -107,17 +107,16 @@ Result<FigureResult> strategies() {
   figure.picture.panels = {
       signalPanel("Acceleration, strategy 1 (lobe-center)", cuts->first, 0),
       signalPanel("Acceleration, strategy 2 (extremum-paper)", cuts->paper, 0),
-      rowsPanel("Spindle speed", "rev/min", three, turningSpeed),
-      rowsPanel("Speed asked for", "rev/min", three, askedSpeed),
+      rowsPanel("Spindle speed", "rpm", three, turningSpeed), rowsPanel("Speed asked for", "rpm", three, askedSpeed),
       rowsPanel("Vibration of the tip", "m/s\u00b2 rms", four, [](const TraceRow& r) { return r.vibration; })};
   figure.numbers = {
       {"acceleration at the end, without control", "m/s2", 260.0, finalPeak(cuts->alone), "levels are of our model"},
       {"acceleration at the end, strategy 1", "m/s2", 200.0, finalPeak(cuts->first), ""},
       {"acceleration at the end, strategy 2", "m/s2", 145.0, finalPeak(cuts->paper), "extremum-paper"},
       {"acceleration at the end, strategy 2", "m/s2", 145.0, finalPeak(cuts->seek), "extremum-seek"},
-      {"speed at the end, strategy 1", "rev/min", kNotPrinted, cuts->first.rows.back().speed_rpm,
+      {"speed at the end, strategy 1", "rpm", kNotPrinted, cuts->first.rows.back().speed_rpm,
        "eq. 30 on 2200 Hz: 33000"},
-      {"speed at the end, strategy 2", "rev/min", kNotPrinted, cuts->paper.rows.back().speed_rpm, ""}};
+      {"speed at the end, strategy 2", "rpm", kNotPrinted, cuts->paper.rows.back().speed_rpm, ""}};
   return figure;
 }
 
@@ -144,7 +143,7 @@ Result<FigureResult> waysInTheLobes() {
   options.limits.frequencies = false;
   const auto sweep = milling::sweepLobes(scenario->model, *speeds, options, "van-dijk-ramp");
   if (!sweep) return sweep.error();
-  Panel panel{"Ways of the cuts", "spindle speed [rev/min]", "depth of cut [mm]"};
+  Panel panel{"Ways of the cuts", "spindle speed [rpm]", "depth of cut [mm]"};
   Curve limit{"limit", {}, {}};
   for (const milling::SpeedLimits& s : sweep->speeds) {
     limit.x.push_back(s.speed.value);
@@ -203,16 +202,16 @@ Result<FigureResult> sweep() {
     at = static_cast<double>(speed) * kCell;
   }
   FigureResult figure;
-  Panel upper{"Power spectral density at the chatter frequency", "spindle speed [rev/min]", "H"};
+  Panel upper{"Power spectral density at the chatter frequency", "spindle speed [rpm]", "H"};
   upper.curves.push_back(std::move(power));
   upper.logY = true;
   upper.marks.push_back({at, "least"});
-  Panel lower{"Distance to the nearest tooth passing", "spindle speed [rev/min]", "Hz"};
+  Panel lower{"Distance to the nearest tooth passing", "spindle speed [rpm]", "Hz"};
   lower.curves.push_back(std::move(beside));
-  figure.picture = {"van Dijk 2010, figure 7: sweep from 29 600 to 38 600 rev/min, 2.2 mm deep",
+  figure.picture = {"van Dijk 2010, figure 7: sweep from 29 600 to 38 600 rpm, 2.2 mm deep",
                     {std::move(upper), std::move(lower)}};
-  figure.numbers = {{"speed where H is least", "rev/min", 33600.0, at,
-                     "in cells of 200 rev/min; the paper's sweep is 3.5 mm deep, ours 2.2"}};
+  figure.numbers = {{"speed where H is least", "rpm", 33600.0, at,
+                     "in cells of 200 rpm; the paper's sweep is 3.5 mm deep, ours 2.2"}};
   return figure;
 }
 

@@ -131,7 +131,7 @@ Result<FigureResult> closedLoop(const LoopCase& c) {
   figure.picture.title = std::string("Xu 2003, figure ") + c.number + ": " + c.shows;
   Panel gamma = indicatorPanel("Greatest coherence ratio", "gamma", *trace, "coherence", "gamma_max");
   gamma.curves.push_back({"reference", {0.0, trace->rows.back().t}, {kGammaRef, kGammaRef}, true});
-  figure.picture.panels = {rowsPanel("Spindle speed", "rev/min", one, turningSpeed),
+  figure.picture.panels = {rowsPanel("Spindle speed", "rpm", one, turningSpeed),
                            rowsPanel("Feed", "mm/min", one, [](const TraceRow& r) { return r.feed_mm_min; }),
                            std::move(gamma),
                            indicatorPanel("Vibration energy", "m/s\u00b2", *trace, "coherence", "energy"),
@@ -145,7 +145,7 @@ Result<FigureResult> closedLoop(const LoopCase& c) {
                     {"seconds of vibration energy above 1.5, left alone", "s", kNotPrinted, loudSeconds(*alone), ""},
                     {"seconds of vibration energy above 1.5, controlled", "s", kNotPrinted, loudSeconds(*trace),
                      "the paper's measure and reference"},
-                    {"speed at the end", "rev/min", kNotPrinted, trace->rows.back().speed_rpm, ""}};
+                    {"speed at the end", "rpm", kNotPrinted, trace->rows.back().speed_rpm, ""}};
   if (trace->rules && trace->rules->lessons > 0) {
     figure.tables = {{"speed-rules", tableText(trace->rules->speed)}, {"feed-rules", tableText(trace->rules->feed)}};
   }

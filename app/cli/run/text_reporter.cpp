@@ -72,7 +72,7 @@ class TextReporter final : public RunReporter {
       words += v.frequency.value > 0.0 ? format(" at %.0f Hz", v.frequency.value) : "";
       words += format(", energy ratio %.2f", v.severity.value);
     }
-    if (v.spindle.value > 0.0) words += format(", %.0f rev/min", toRpm(v.spindle).value);
+    if (v.spindle.value > 0.0) words += format(", %.0f rpm", toRpm(v.spindle).value);
     if (const std::string advice = adviceWords(look.now.advice); !advice.empty()) words += ". Advice: " + advice;
     print(look.times.utcMs(look.now.time), words + totals);
   }
@@ -105,14 +105,14 @@ std::string adviceWords(const SpeedAdvice& advice) {
   const double rpm = advice.speed.value;
   switch (advice.kind) {
     case SpeedAdvice::Kind::Speed:
-      return format("go to %.0f rev/min", rpm);
+      return format("go to %.0f rpm", rpm);
     case SpeedAdvice::Kind::OutOfReach:
-      return format("program %.0f rev/min, which the override does not reach", rpm);
+      return format("program %.0f rpm, which the override does not reach", rpm);
     case SpeedAdvice::Kind::LessDepth:
       return advice.depth.value > 0.0 ? format("no speed will do, cut less than %.2g mm deep", 1e3 * advice.depth.value)
                                       : "no speed will do, cut less deep";
     case SpeedAdvice::Kind::ToProgrammed:
-      return format("back to the programmed %.0f rev/min", rpm);
+      return format("back to the programmed %.0f rpm", rpm);
     case SpeedAdvice::Kind::None:
       break;
   }

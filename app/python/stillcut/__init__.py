@@ -1,6 +1,6 @@
 """Chatter in milling: detection, stability lobes and modal analysis, as Stillcut does them.
 
-All numbers are in SI units, but spindle speeds, which are in rev/min as people and machines say them. Nothing here can
+All numbers are in SI units, but spindle speeds, which are in rpm as people and machines say them. Nothing here can
 reach a machine. Errors in what is given are ValueError, with one line that says what, where and what to do.
 
     import stillcut
@@ -105,7 +105,7 @@ def analyze(
     x: samples, shape (frames,) or (frames, channels), in the sensor's unit; float32 inside.
     rate: samples a second and channel [Hz], 100 to 1e6.
     teeth: of the tool, at most 200; 0 where nobody knows: then no speed is advised.
-    speed: of the spindle, nominal [rev/min]; 0 where nobody knows: it is looked for in the signal.
+    speed: of the spindle, nominal [rpm]; 0 where nobody knows: it is looked for in the signal.
     sensor: "acceleration", "velocity", "displacement", "sound", "force", "current" or "speed".
     scale: SI units (m/s2, m/s, m, Pa, N, A) per unit of x.
     methods: detectors that run side by side, at most six; the answer is the first one's.
@@ -136,7 +136,7 @@ class Verdict:
 
     time: end of the block, from the first sample on [s]; blocks have int(0.005 rate) samples, a little under 5 ms.
     state: "air", "stable", "onset", "chatter", or "not-judged" with its reason.
-    frequency: of the chatter [Hz], 0: none. speed: of the spindle, as used [rev/min], 0: not known.
+    frequency: of the chatter [Hz], 0: none. speed: of the spindle, as used [rpm], 0: not known.
     energy_ratio: energy of the chatter over all of the vibration's, 0 to 1. indicators: of the method, by their names.
     """
 
@@ -146,7 +146,7 @@ class Verdict:
     reason: str  # one sentence; may be empty
     frequency: float  # of the chatter [Hz]; 0: none
     energy_ratio: float  # energy of the chatter over all of the vibration's, 0 to 1
-    speed: float  # of the spindle, as used [rev/min]; 0: not known
+    speed: float  # of the spindle, as used [rpm]; 0: not known
     kind: str  # "hopf", "flip", "forced", "unknown"
     early_warning: bool
     indicators: dict[str, float] = field(repr=False)  # of the method, by its own names
@@ -190,7 +190,7 @@ class Detector:
     def feed(self, x: ArrayLike, speed: float = 0.0) -> list[Verdict]:
         """The next samples, shape (frames,) or (frames, channels), any number of frames.
 
-        speed: of the spindle meanwhile, as measured [rev/min]; 0: not measured.
+        speed: of the spindle meanwhile, as measured [rpm]; 0: not measured.
         Returns a verdict for every block of 5 ms that became full; the rest waits for the next call.
         """
         samples = _samples(x)
@@ -198,7 +198,7 @@ class Detector:
             raise ValueError(f"samples: have {samples.shape[1]} channels (this detector has {self._channels})")
         measured = _number("speed", speed)
         if not 0.0 <= measured <= 1e6:
-            raise ValueError(f"speed: {measured} (0: not measured, to 1e6 rev/min)")
+            raise ValueError(f"speed: {measured} (0: not measured, to 1e6 rpm)")
         return [Verdict(**verdict) for verdict in self._fed.feed(samples, measured)]
 
 
@@ -223,11 +223,11 @@ class Mode:
 class Lobes:
     """Limits of stability over the spindle speed, each of shape (n,).
 
-    speed [rev/min]; depth: largest stable axial depth [m], inf: stable as deep as was searched, nan: not known;
+    speed [rpm]; depth: largest stable axial depth [m], inf: stable as deep as was searched, nan: not known;
     frequency: of the chatter beyond it [Hz], nan: there is none; details: all crossings.
     """
 
-    speed: NDArray[numpy.float64]  # [rev/min]
+    speed: NDArray[numpy.float64]  # [rpm]
     depth: NDArray[numpy.float64]  # largest stable axial depth [m]; inf: stable as deep as searched; nan: not known
     frequency: NDArray[numpy.float64]  # of the chatter beyond it [Hz]; nan: there is none
     details: dict[str, Any] = field(repr=False)  # all crossings: the object of `stillcut-cli lobes --json`
@@ -250,7 +250,7 @@ def lobes(
     """Stability limits of a cut.
 
     modes: at least one.
-    speeds: of the spindle, shape (n,) [rev/min].
+    speeds: of the spindle, shape (n,) [rpm].
     diameter: of the tool [m]; helix: [rad].
     tangential, radial: cutting force coefficients of a linear law [N/m^2].
     immersion: width of cut over the diameter, above 0 up to 1.

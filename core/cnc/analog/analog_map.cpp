@@ -33,7 +33,7 @@ std::optional<AnalogChannel> readChannel(const TomlTable& root, const char* name
   const double most = absolute ? kFastestSpindle : kMostPercent;
   if (calibration->lowest() < 0.0 || calibration->highest() > most) {
     table.refuse("table", message("leaves what a machine can do"),
-                 absolute ? message("0 to 1000000 rev/min") : message("0 to 400 %"));
+                 absolute ? message("0 to 1000000 rpm") : message("0 to 400 %"));
   }
   if (!absolute && (calibration->lowest() > 100.0 || calibration->highest() < 100.0)) {
     table.refuse("table", message("does not hold 100 %"), message("the programmed value must be reachable"));

@@ -37,7 +37,7 @@ Status checkProgramme(const Scenario& s, const std::string& where) {
   const Programme& p = s.programme;
   const auto bad = [&](const Message& what) { return Status(Error{where, what}); };
   if (!(p.speed.value >= 1.0) || p.speed.value > 200000.0)
-    return bad(message("speed must lie between 1 and 200000 rev/min"));
+    return bad(message("speed must lie between 1 and 200000 rpm"));
   if (!(p.feedPerTooth.value >= 0.0) || p.feedPerTooth.value > 0.01)
     return bad(message("feed per tooth must lie between 0 and 10 mm"));
   if (!(p.duration.value > 0.0) || p.duration.value > 3600.0)

@@ -265,7 +265,7 @@ TEST_F(IdentifiedLobes, AdviceThatIsNotPossibleIsOneLine) {
 TEST_F(IdentifiedLobes, WhereNoSpeedIsStableTheDeepestCutIsSaid) {
   folder_.file("case.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
   const std::string said = run({"advise", "case.toml", "--depth", "8", "--speeds", "8000:9000"});
-  EXPECT_THAT(said, HasSubstr("no speed from 8000 to 9000 rev/min is stable at 8 mm"));
+  EXPECT_THAT(said, HasSubstr("no speed from 8000 to 9000 rpm is stable at 8 mm"));
   EXPECT_THAT(said, HasSubstr("the deepest stable cut is"));
 }
 

@@ -108,13 +108,13 @@ TEST_F(Run, ChatterIsALineWithFrequencyAndAdvice) {
   EXPECT_NEAR((*heard)["frequency_hz"], 937.0, 25.0);
   EXPECT_GT((*heard)["energy_ratio"], 0.1);
   EXPECT_LT((*heard)["advice"]["speed_rpm"], 8500.0);
-  EXPECT_THAT((*heard)["advice"]["sentence"].get<std::string>(), testing::HasSubstr("rev/min"));
+  EXPECT_THAT((*heard)["advice"]["sentence"].get<std::string>(), testing::HasSubstr("rpm"));
 }
 
 TEST_F(Run, LinesForPeopleHaveTheTimeOfDay) {
   const Outcome ran = monitor({"--status"});
   EXPECT_THAT(ran.out, testing::ContainsRegex("[0-9][0-9]:[0-9][0-9]:[0-9][0-9]\\.[0-9]{3}  chatter at 9[0-9][0-9] Hz, "
-                                              "energy ratio [0-9.]+, .*Advice: go to [0-9]+ rev/min"));
+                                              "energy ratio [0-9.]+, .*Advice: go to [0-9]+ rpm"));
   EXPECT_THAT(ran.out, testing::ContainsRegex("  = [a-z-]+.*, in the cut [0-9]+ s, judged [0-9]+ s"));
   EXPECT_THAT(ran.out, testing::HasSubstr("ends: the source has no more samples"));
 }

@@ -96,7 +96,7 @@ TEST_F(FileDesk, SaysWhatTheCommandSays) {
   const QString told = QString::fromStdString(text(evaluate::findingSentence(right, writing)));
   EXPECT_EQ(answer->headline.toLower(), told.toLower());
   EXPECT_EQ(answer->advice.mid(1).toStdString(), text(evaluate::adviceSentence(right.advice, writing)).substr(1));
-  EXPECT_TRUE(answer->advice.contains(QStringLiteral("rev/min"))) << answer->advice.toStdString();
+  EXPECT_TRUE(answer->advice.contains(QStringLiteral("rpm"))) << answer->advice.toStdString();
   EXPECT_GT(answer->tracks.size(), 1U) << "every detector has its row";
   const auto& states = answer->tracks.front().states;
   ASSERT_FALSE(states.empty());

@@ -84,7 +84,7 @@ class FakeFileDesk final : public FileController {
     answer.finding = Finding::Chatter;
     answer.headline = QStringLiteral("Chatter at 1502 Hz from 4.0 s on");
     answer.advice = QStringLiteral(
-        "Try 9\u202f010 or 10\u202f010 rev/min (5 or 4\u00bd waves of 1502 Hz between two teeth instead of 4.74), or "
+        "Try 9\u202f010 or 10\u202f010 rpm (5 or 4\u00bd waves of 1502 Hz between two teeth instead of 4.74), or "
         "less depth");
     answer.details = QStringList{QStringLiteral("Judged 8.0 of 10.0 s; the rest: 2.0 s of air"),
                                  QStringLiteral("Chatter can be detected up to 3500 Hz")};

@@ -95,7 +95,7 @@ TEST(Remedy, RemembersWhatWasTriedOnThisTool) {
   cuts[2].speed = Rpm(8400.0);  // quiet, and far too shallow to say anything
   cuts[2].depth = Metres(0.2e-3);
   EXPECT_EQ(text(remembered(cuts, Rpm(8500.0), Metres(2e-3))),
-            "this tool chattered at 8500 rev/min; it was quiet at 7900 rev/min");
+            "this tool chattered at 8500 rpm; it was quiet at 7900 rpm");
   EXPECT_TRUE(remembered({}, Rpm(8500.0), Metres(2e-3)).empty());
 }
 

@@ -83,8 +83,8 @@ TEST_P(Expected, IsWhatTheExactLobesSay) {
   ASSERT_TRUE(advice.ok()) << advice.error().line();
   ASSERT_TRUE(advice->finished);
   for (const SpeedPocket& p : advice->pockets) {
-    std::cout << s->name << ": " << p.from.speed.value << " to " << p.to.speed.value << " rev/min, best "
-              << p.best.value << ", limit " << p.limit.value * 1e3 << " mm, margin " << p.margin << "\n";
+    std::cout << s->name << ": " << p.from.speed.value << " to " << p.to.speed.value << " rpm, best " << p.best.value
+              << ", limit " << p.limit.value * 1e3 << " mm, margin " << p.margin << "\n";
   }
   EXPECT_EQ(!advice->pockets.empty(), s->expect == Expectation::Stable);
 }

@@ -93,7 +93,7 @@ TEST(ShopGrowth, RandomToolsChatterExactlyWhereTheLobesSay) {
       const double rate = growth(model, speed, factor * first.depth.value, 300);
       if ((rate > 0.0) == (factor > 1.0)) continue;
       ++disagreeing;
-      ADD_FAILURE() << "tool " << number << ": " << model.tool.teeth << " teeth at " << speed.value << " rev/min, "
+      ADD_FAILURE() << "tool " << number << ": " << model.tool.teeth << " teeth at " << speed.value << " rpm, "
                     << factor << " times " << 1e3 * first.depth.value << " mm grows by " << rate << " a revolution";
     }
   }

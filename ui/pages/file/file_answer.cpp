@@ -164,8 +164,8 @@ void FileAnswerPanel::showFindings(const Shown& shown) {
   const FileFinding& speed = shown.findings.speed_rpm;
   if (speed.value > 0.0) {
     const QString value = QStringLiteral("%1 \u00b1%2").arg(number(speed.value), number(std::max(speed.doubt, 1.0)));
-    lines << (speed.rivals.empty() ? tr("In the signal: %1 rev/min").arg(value)
-                                   : tr("In the signal: %1 rev/min, or %2").arg(value, listed(speed.rivals)));
+    lines << (speed.rivals.empty() ? tr("In the signal: %1 rpm").arg(value)
+                                   : tr("In the signal: %1 rpm, or %2").arg(value, listed(speed.rivals)));
   }
   const FileFinding& teeth = shown.findings.teeth;
   if (teeth.value > 0.0) {

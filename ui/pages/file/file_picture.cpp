@@ -27,7 +27,7 @@ FilePictureTexts pictureTexts(const FileContents& file, const FileQuestion& aske
   const double speed = asked.speed.value > 0.0 ? asked.speed.value
                        : answer != nullptr     ? 60.0 * answer->spindle.value
                                                : 0.0;
-  if (speed > 0.0) facts << join(number(speed), say("rev/min"));
+  if (speed > 0.0) facts << join(number(speed), say("rpm"));
   const QDateTime when = file.wallMs > 0 ? QDateTime::fromMSecsSinceEpoch(file.wallMs) : info.lastModified();
   facts << when.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
   texts.facts = facts.join(QStringLiteral(" \u00b7 "));

@@ -31,7 +31,7 @@ QLineEdit* makeField(const QString& name, const QString& spoken) {
 QuestionFields::QuestionFields(const QString& name, QWidget* parent)
     : QWidget(parent),
       teeth_(makeField(name + QStringLiteral("-teeth"), tr("Teeth"))),
-      speed_(makeField(name + QStringLiteral("-speed"), tr("Speed, rev/min"))),
+      speed_(makeField(name + QStringLiteral("-speed"), tr("Speed, rpm"))),
       fields_(new QHBoxLayout(this)) {
   fields_->setContentsMargins(0, 0, 0, 0);
   // Their labels stay when they are filled.

@@ -150,7 +150,7 @@ TEST_F(EnteredCut, TheDiagramIsRefinedWhereItIsNotStraightAndAtTheEdgesOfTheDept
   const auto pockets = ui::pocketsAt(*diagram, lobes.frame(), kDepth);
   const ui::Pocket* pocket = around(pockets, Rpm(5980));
   ASSERT_NE(pocket, nullptr);
-  EXPECT_NEAR(pocket->from.value, 5821.0, 2.0) << "from steps of 35 rev/min";
+  EXPECT_NEAR(pocket->from.value, 5821.0, 2.0) << "from steps of 35 rpm";
   EXPECT_NEAR(pocket->to.value, 6150.0, 2.0);
   EXPECT_NEAR(pocket->best.value, 5975.0, 8.0);
 }
