@@ -1,6 +1,7 @@
 #include "app/session/machine_setup.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <filesystem>
 #include <utility>
@@ -65,6 +66,27 @@ std::vector<ui::ComponentOption> methods(const Table& table) {
   for (const auto& row : table) all.push_back({viewText(row.id), viewText(row.make()->describe().label)});
   return all;
 }
+
+// A file as it was before a start that may be refused.
+class FileBefore {
+ public:
+  explicit FileBefore(std::string path) : path_(std::move(path)) {
+    QFile file(QString::fromStdString(path_));
+    if (file.open(QIODevice::ReadOnly)) content_ = file.readAll().toStdString();
+  }
+  void putBack() const {
+    std::error_code gone;
+    if (content_) {
+      (void)writeFileAtomically(path_, *content_).ok();  // the disk has just taken as much
+    } else {
+      std::filesystem::remove(path_, gone);
+    }
+  }
+
+ private:
+  std::string path_;
+  std::optional<std::string> content_;  // none: it was not there
+};
 
 bool sameLink(config::ComponentChoice a, config::ComponentChoice b) {
   for (config::ComponentChoice* link : {&a, &b}) {
@@ -338,10 +360,16 @@ void MachineSetup::tryOut(const config::Profile& profile, const QString& name) {
       &listener_.opening());
 }
 
-Status MachineSetup::start(const QString& name) {
-  listener_.free();
+Status MachineSetup::start(const config::Profile& profile, const QString& name) {
   if (!begin) return Error{message("profile"), message("cannot be put in force here")};
-  Status begun = begin(profileFile(name));
+  const FileBefore file(profileFile(name)), older(profileFile(name) + std::string(config::kProfileBefore));
+  const auto saved = save(profile, name);
+  if (!saved) return saved.error();
+  listener_.free();
+  Status begun = begin(saved->toStdString(), [&] {
+    file.putBack();
+    older.putBack();
+  });
   std::error_code gone;
   if (begun && !folder_.isEmpty()) std::filesystem::remove(draftFile(), gone);
   return begun;

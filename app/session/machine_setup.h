@@ -28,7 +28,8 @@ class MachineSetup final : public ui::SetupController {
   void recordIn(const QString& folder) { recordings_ = folder; }
   // The session: what runs, and how another cut takes its place.
   std::function<config::Profile()> running;
-  std::function<Status(const std::string& profile)> begin;
+  // Where it fails it calls `putBack`, before the machine before runs again: what was saved for this start goes.
+  std::function<Status(const std::string& profile, const std::function<void()>& putBack)> begin;
   std::function<Status()> beginDemonstration;
   std::function<LinkDelays()> measured;                  // by the run
   std::function<std::optional<RunsLink>()> linkTold;     // of the run's real machine; nothing: it has none
@@ -77,7 +78,7 @@ class MachineSetup final : public ui::SetupController {
   const ui::LinkTest& linkTest() const override { return linkTest_; }
   void tryOut(const config::Profile& profile, const QString& name) override;
   const std::vector<ui::TrialStep>& trial() const override { return trial_; }
-  Status start(const QString& name) override;
+  Status start(const config::Profile& profile, const QString& name) override;
   Status startDemonstration() override;
   Result<std::vector<ui::ToolEntry>> tools() const override;
   Result<QString> cutFile(const ui::ToolEntry& tool) override;

@@ -59,9 +59,11 @@ Session::Session(std::unique_ptr<CutRun> run) : run_(std::move(run)) {
   tap_.profilePath = [this](const QString& name) { return machine_.profileFileOrNew(name); };
   tap_.library = [this] { return machine_.tools(); };
   tap_.keepLibrary = [this](const std::vector<ui::ToolEntry>& tools) { return machine_.saveTools(tools); };
-  machine_.begin = [this](const std::string& path) -> Status {
-    if (Status whole = checkProfileRun(path); !whole) return whole;
-    return switchTo(opening(path));
+  machine_.begin = [this](const std::string& path, const std::function<void()>& putBack) -> Status {
+    Status may = mayLeaveMachine(message("start"));
+    if (may) may = checkProfileRun(path);
+    if (!may) putBack();
+    return may ? switchTo(opening(path), putBack) : may;
   };
 }
 
@@ -110,7 +112,7 @@ Session::Opening Session::opening(const std::string& profile) const {
   };
 }
 
-Status Session::switchTo(const Opening& open) {
+Status Session::switchTo(const Opening& open, const std::function<void()>& failed) {
   if (Status may = mayLeaveMachine(message("start")); !may) return may;
   const std::string before = run_->profilePath();
   (void)stop().ok();  // what its recording lacks is in the log, and no reason not to watch the next cut
@@ -120,6 +122,7 @@ Status Session::switchTo(const Opening& open) {
     return Done{};
   }
   const Error& error = next.error();
+  failed();
   log_.write(LogLevel::Error, "no run begins: " + error.line());
   if (auto again = before.empty() ? Result<std::unique_ptr<CutRun>>(error) : opening(before)(); again) {
     place(std::move(again).value());

@@ -92,7 +92,9 @@ class Session final : public ui::SessionFacade {
   // Another run takes the place of this one, whose machine gets its programmed values back first. Where it cannot be
   // opened the one before begins anew, as far as it has a profile, with authority Off.
   using Opening = std::function<Result<std::unique_ptr<CutRun>>()>;
-  Status switchTo(const Opening& open);
+  // `failed`: before the machine before runs again.
+  Status switchTo(
+      const Opening& open, const std::function<void()>& failed = [] {});
   Opening opening(const std::string& profile) const;
   void place(std::unique_ptr<CutRun> next);
 

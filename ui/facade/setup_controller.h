@@ -160,9 +160,10 @@ class SetupController {
   virtual void tryOut(const config::Profile& profile, const QString& name) = 0;
   virtual const std::vector<TrialStep>& trial() const = 0;
 
-  // In the place of the present cut, whose machine gets its programmed values back. An error leaves no cut running
-  // where the new one could not begin; it says so.
-  virtual Status start(const QString& name) = 0;
+  // Saves the profile under that name and begins with it, in the place of the present cut, whose machine gets its
+  // programmed values back. An error leaves no cut running where the new one could not begin, and says so; nothing has
+  // been saved then.
+  virtual Status start(const config::Profile& profile, const QString& name) = 0;
   virtual Status startDemonstration() = 0;
 
   virtual Result<std::vector<ToolEntry>> tools() const = 0;

@@ -8,6 +8,7 @@ namespace stillcut::ui {
 namespace {
 
 TEST_F(SetupPageTest, TheDepthOfCutIsTypedInItsUnitAndKeptWithTheProfile) {
+  runsSimulated();
   openSetup();
   press("setup-machine");
   EXPECT_TRUE(told(QStringLiteral("Depth, mm")));

@@ -25,6 +25,7 @@ TEST_F(SetupPageTest, LimitsOfTheMachineAreSetOnTheScreenAndSavedInTheProfile) {
 // Set up, LIMITS, a field, START.
 TEST_F(SetupPageTest, LimitsAreInForceInFourTouchesAlsoWithoutAName) {
   controller_.kept[QStringLiteral("machine")] = {};
+  runsSimulated();
   openSetup();
   EXPECT_FALSE(find<TouchButton>("setup-start")->isVisible()) << "nothing was changed";
   press("setup-limits");
@@ -42,6 +43,7 @@ TEST_F(SetupPageTest, LimitsAreInForceInFourTouchesAlsoWithoutAName) {
 }
 
 TEST_F(SetupPageTest, AStartThatFailsSaysWhyOnTheTabOfProfiles) {
+  runsSimulated();
   openSetup();
   press("setup-limits");
   type(QStringLiteral("gate.highest-speed"), QStringLiteral("9000"));
@@ -53,6 +55,7 @@ TEST_F(SetupPageTest, AStartThatFailsSaysWhyOnTheTabOfProfiles) {
 }
 
 TEST_F(SetupPageTest, NothingStartsWithoutTheLimitThatWasTyped) {
+  runsSimulated();
   openSetup();
   press("setup-limits");
   auto* edit = find<QLineEdit>("gate.highest-speed-override");

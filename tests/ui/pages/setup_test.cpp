@@ -71,6 +71,7 @@ TEST_F(SetupPageTest, AMachineIsPutTogetherTriedSavedAndStarted) {
 
 // What is shown is rounded: looking at a field, and leaving it, changes nothing.
 TEST_F(SetupPageTest, FeedAndDiameterAreShownAndTypedInInches) {
+  runsSimulated();
   openSetup();
   press("setup-machine");
   type(QStringLiteral("machine-feed"), QStringLiteral("2720"));
@@ -109,6 +110,7 @@ TEST_F(SetupPageTest, FeedAndDiameterAreShownAndTypedInInches) {
 }
 
 TEST_F(SetupPageTest, ARefusedStartSaysWhyAndStays) {
+  runsSimulated();
   openSetup();
   controller_.refuse = true;
   press("setup-profile");
@@ -116,6 +118,25 @@ TEST_F(SetupPageTest, ARefusedStartSaysWhyAndStays) {
   press("profile-start");
   EXPECT_TRUE(told(QStringLiteral("set it to Off first")));
   EXPECT_EQ(window_->currentPage(), QStringLiteral("setup"));
+}
+
+TEST_F(SetupPageTest, AStartWithoutADeviceNamesWhereToChooseOneAndSavesNothing) {
+  openSetup();
+  press("setup-machine");
+  type(QStringLiteral("machine-name"), QStringLiteral("Mill 3"));
+  press("setup-start");
+  EXPECT_TRUE(controller_.inForce.isEmpty());
+  EXPECT_TRUE(controller_.kept.empty());
+  EXPECT_TRUE(find<TouchButton>("setup-profile")->isChecked());
+  EXPECT_TRUE(told(QStringLiteral("choose one under SENSORS")));
+  press("profile-try");
+  EXPECT_TRUE(controller_.steps.empty()) << "there is nothing to try";
+  press("profile-start");
+  EXPECT_TRUE(controller_.kept.empty());
+  press("setup-sensors");
+  pressKind("source-alsa");
+  press("setup-start");
+  EXPECT_EQ(controller_.kept.size(), 1U);
 }
 
 TEST_F(SetupPageTest, SensorsShowLevelAndSpectrumAndSayWhenTheyAreSick) {

@@ -6,6 +6,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <QDir>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <algorithm>
 
@@ -229,10 +231,36 @@ TEST(MachineSetup, WhatIsBeingPutTogetherOutlivesTheProgramUntilItRuns) {
   ASSERT_TRUE(kept.has_value());
   EXPECT_EQ(kept->cut.machine, "Simulated mill");
   EXPECT_EQ(kept->link.id, "simulated");
-  next.begin = [](const std::string&) { return Status(Done{}); };
-  ASSERT_TRUE(next.save(*kept, QStringLiteral("mill")).ok());
-  ASSERT_TRUE(next.start(QStringLiteral("mill")).ok());
+  next.begin = [](const std::string&, const std::function<void()>&) { return Status(Done{}); };
+  ASSERT_TRUE(next.start(*kept, QStringLiteral("mill")).ok());
   EXPECT_FALSE(next.keptDraft().has_value()) << "it is a profile now";
+}
+
+TEST(MachineSetup, AStartThatIsRefusedSavesNothing) {
+  const QTemporaryDir folder;
+  MachineSetup controller;
+  controller.keepIn(folder.path());
+  std::string seen;  // on the disk, as it begins
+  controller.begin = [&](const std::string& path, const std::function<void()>& putBack) {
+    const auto profile = controller.load(QFileInfo(QString::fromStdString(path)).completeBaseName());
+    seen = profile ? profile->cut.machine : profile.error().line();
+    putBack();
+    return Status(Error{message("device"), message("cannot be opened")});
+  };
+  config::Profile profile = simulatedMill();
+  controller.keepDraft(profile);
+  EXPECT_FALSE(controller.start(profile, QStringLiteral("mill")).ok());
+  EXPECT_EQ(seen, "Simulated mill");
+  EXPECT_TRUE(controller.profiles().isEmpty());
+  EXPECT_TRUE(controller.keptDraft().has_value()) << "what was typed is not lost";
+
+  ASSERT_TRUE(controller.save(profile, QStringLiteral("mill")).ok());
+  profile.cut.machine = "Mill 3";
+  EXPECT_FALSE(controller.start(profile, QStringLiteral("mill")).ok());
+  EXPECT_EQ(seen, "Mill 3");
+  EXPECT_EQ(controller.load(QStringLiteral("mill"))->cut.machine, "Simulated mill");
+  const QDir kept(folder.filePath(QStringLiteral("profiles")));
+  EXPECT_EQ(kept.entryList(QDir::Files), QStringList{QStringLiteral("mill.toml")}) << "and no copy beside it";
 }
 
 TEST(MachineSetup, ProfilesAreKeptAndComeBack) {

@@ -186,8 +186,10 @@ TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
   ASSERT_TRUE((*session)->setup()->startDemonstration().ok());
   EXPECT_GT((*session)->generation(), before);
   EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull() != nullptr; }, 20000)) << "the new cut moves";
-  const Status refused = (*session)->setup()->start(QStringLiteral("no-such-profile"));
+  config::Profile nothing;  // no device
+  const Status refused = (*session)->setup()->start(nothing, QStringLiteral("new"));
   ASSERT_FALSE(refused.ok());
+  EXPECT_TRUE((*session)->setup()->profiles().isEmpty());
   const auto now = (*session)->generation();
   const std::uint64_t seen = (*session)->pull()->number;
   EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull()->number > seen; }, 20000))

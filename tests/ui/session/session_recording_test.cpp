@@ -43,13 +43,11 @@ class RecordedByProfile : public testing::Test {
     profile.source = {"simulated", {{"scenario", scenario}}};
     profile.link = {"simulated", {}};
     ASSERT_TRUE(profile.params.set(catalog, "record.mode", mode, "test").ok());
-    const auto saved = controller.save(profile, QStringLiteral("mill"));
-    ASSERT_TRUE(saved.ok()) << saved.error().line();
+    const Status begun = controller.start(profile, QStringLiteral("mill"));
+    ASSERT_TRUE(begun.ok()) << begun.error().line();
     const auto back = controller.load(QStringLiteral("mill"));
     ASSERT_TRUE(back.ok()) << back.error().line();
     EXPECT_EQ(back->recording.job, "Housing 7");
-    const Status begun = controller.start(QStringLiteral("mill"));
-    ASSERT_TRUE(begun.ok()) << begun.error().line();
   }
   QString recordings() const { return folder_.filePath(QStringLiteral("recordings")); }
   bool comes(ui::RecordingNow::State state) {

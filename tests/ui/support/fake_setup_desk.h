@@ -77,7 +77,7 @@ class FakeSetupDesk final : public SetupController {
     kept[name] = profile;
     return name + QStringLiteral(".toml");
   }
-  config::Profile draft() const override { return {}; }
+  config::Profile draft() const override { return running; }
   void keepDraft(const config::Profile& profile) override { begun = profile; }
   std::optional<config::Profile> keptDraft() const override { return begun; }
   void lookForDevices() override { ++lookedForDevices; }
@@ -127,9 +127,10 @@ class FakeSetupDesk final : public SetupController {
     changed = true;
   }
   const std::vector<TrialStep>& trial() const override { return steps; }
-  Status start(const QString& name) override {
+  Status start(const config::Profile& profile, const QString& name) override {
     if (refuse)
       return Error{message("start"), message("the machine is under our authority"), message("set it to Off first")};
+    if (const auto saved = save(profile, name); !saved) return saved.error();
     inForce = name;
     return Done{};
   }
@@ -149,6 +150,7 @@ class FakeSetupDesk final : public SetupController {
   }
 
   std::map<QString, config::Profile> kept;
+  config::Profile running;
   std::optional<config::Profile> begun;
   std::vector<ToolEntry> shop;
   std::vector<TrialStep> steps;

@@ -34,6 +34,8 @@ class SetupPageTest : public WindowTest {
     window_->showPage(QStringLiteral("setup"));
     play(0.4);
   }
+  // The page begins with the device of what runs.
+  void runsSimulated() { controller_.running.source.id = "simulated"; }
   void type(const QString& name, const QString& text) const {
     auto* edit = find<QLineEdit>(name);
     ASSERT_NE(edit, nullptr) << name.toStdString();

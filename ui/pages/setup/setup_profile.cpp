@@ -72,6 +72,7 @@ SetupProfile::SetupProfile(SetupController& controller, SetupDraft& draft, QWidg
   columns->addLayout(right, 74);
   connect(name_, &QLineEdit::editingFinished, this, [this] { draft_.setName(name_->text().trimmed()); });
   connect(try_, &TouchButton::clicked, this, [this] {
+    if (lacksDevice()) return;
     controller_.tryOut(draft_.profile(), draft_.name());
     showTrial();
   });
@@ -93,10 +94,20 @@ SetupProfile::SetupProfile(SetupController& controller, SetupDraft& draft, QWidg
   SetupProfile::refresh();
 }
 
+// Said in the words of the screen, before anything is saved or tried.
+bool SetupProfile::lacksDevice() {
+  const bool lacks = draft_.profile().source.id.empty();
+  if (lacks) {
+    note_->setTone(Tone::Onset);
+    note_->setText(tr("No device is chosen to measure with: choose one under SENSORS."));
+  }
+  return lacks;
+}
+
 bool SetupProfile::start() {
   draft_.setName(name_->text().trimmed());
-  const auto saved = controller_.save(draft_.profile(), draft_.name());
-  const Status begun = saved ? controller_.start(draft_.name()) : Status(saved.error());
+  if (lacksDevice()) return false;
+  const Status begun = controller_.start(draft_.profile(), draft_.name());
   tell(begun, tr("It runs. Authority is Off."));
   refresh();
   if (begun) emit started();
@@ -149,7 +160,7 @@ void SetupProfile::showKnown() {
 
 void SetupProfile::tell(const Status& status, const QString& done) {
   note_->setTone(status ? Tone::Normal : Tone::Onset);
-  note_->setText(status ? done : sayError(status.error()));
+  note_->setText(status ? done : plainWords(sayError(status.error())));
 }
 
 void SetupProfile::refresh() {

@@ -24,6 +24,7 @@ class SetupProfile : public SetupTab {
  private:
   void addChoices(QBoxLayout* column, const QString& title, const std::vector<ComponentOption>& options,
                   std::vector<TouchButton*>& buttons, const QString& prefix, std::string config::Profile::*field);
+  bool lacksDevice();
   void tell(const Status& status, const QString& done);
   void showTrial();
   void showKnown();
