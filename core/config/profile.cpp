@@ -22,6 +22,7 @@ constexpr double kLargestDiameterMm = 1000.0;
 constexpr double kHighestSpeedRpm = 200000.0;
 constexpr double kHighestFeedMmMin = 200000.0;
 constexpr double kDeepestMm = 1000.0;
+constexpr double kLongestStickOutMm = 2000.0;
 
 std::string idFrom(const TomlTable& table, std::string_view key, std::string_view fallback,
                    const std::vector<std::string_view>& known) {
@@ -101,6 +102,11 @@ void readModel(const TomlTable& cut, Profile& profile) {
   profile.depth = Metres(cut.numberOr("depth_mm", 0.0, 0.001, kDeepestMm) * 1e-3);
 }
 
+void readClamping(const TomlTable& tool, Profile& profile) {
+  profile.holder = tool.textOr("holder", "");
+  profile.stickOut = Metres(tool.numberOr("stick_out_mm", 0.0, 0.01, kLongestStickOutMm) * 1e-3);
+}
+
 void readPitch(const TomlTable& tool, Profile& profile) {
   constexpr double kClosed = 0.05;  // degrees; as a catalogue rounds them
   profile.pitch = tool.numbersOr("pitch_deg", {});
@@ -154,6 +160,7 @@ Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, c
   Profile profile;
   profile.cut = cutFrom(root);
   profile.operatorName = root.textOr("operator", "");
+  readClamping(root.tableOr("tool"), profile);
   readPitch(root.tableOr("tool"), profile);
   readModel(root.tableOr("cut"), profile);
   profile.source = partFrom(root.tableOr("source"), known.sources);
@@ -187,6 +194,8 @@ void writeCut(TomlWriter& out, const Profile& profile) {
   const CutSetup& cut = profile.cut;
   out.table("tool");
   out.text("label", cut.tool);
+  if (!profile.holder.empty()) out.text("holder", profile.holder);
+  if (profile.stickOut.value > 0.0) out.number("stick_out_mm", profile.stickOut.value * 1e3);
   if (cut.teeth > 0) out.integer("teeth", cut.teeth);
   if (cut.toolDiameter.value > 0.0) out.number("diameter_mm", cut.toolDiameter.value * 1e3);
   if (!profile.pitch.empty()) out.numbers("pitch_deg", profile.pitch);

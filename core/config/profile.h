@@ -5,6 +5,8 @@
 //   machine = "Mill 3"
 //   operator = "Ada"                                     signs the markers that are touched during the cut
 //   [tool]       label, teeth, diameter_mm
+//                holder, stick_out_mm                    as it is clamped: what is learned of one clamped otherwise is
+//                                                        kept apart
 //                pitch_deg                               [85, 95, ...] angle to the next tooth; left out: even
 //   [cut]        speed_rpm, feed_mm_min                  as programmed; leave out what is not known
 //                model, depth_mm                         file of the cut's modes and material, and its depth: where
@@ -55,6 +57,8 @@ struct RecordingChoice {
 
 struct Profile {
   CutSetup cut;               // rate and blockFrames are the source's affair and not part of a profile
+  std::string holder;         // "HSK63 ER32"; empty: not given
+  Metres stickOut{};          // from the holder's face to the tip; 0: not given
   std::vector<double> pitch;  // angle from each tooth to the next [deg], one a tooth, 360 together; empty: even
   std::string model;  // file with the modes, tool, material and engagement of the cut; empty: the modes are not known
   std::string material;      // by name (core/milling/material_table.h); empty: the model's own

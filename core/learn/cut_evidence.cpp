@@ -1,5 +1,6 @@
 #include "core/learn/cut_evidence.h"
 
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -8,6 +9,31 @@ namespace stillcut::learn {
 
 std::string_view name(CutOutcome outcome) {
   return outcome == CutOutcome::Chatter ? "chatter" : "stable";
+}
+
+namespace {
+
+// "48" stands in "HSK63, stick-out 48" and not in "480" or "48.5".
+bool namesNumber(const std::string& words, const std::string& number) {
+  const auto partOfOne = [&](std::size_t at) {
+    return at < words.size() && (std::isdigit(static_cast<unsigned char>(words[at])) != 0 || words[at] == '.');
+  };
+  for (std::size_t at = words.find(number); at != std::string::npos; at = words.find(number, at + 1)) {
+    if ((at == 0 || !partOfOne(at - 1)) && !partOfOne(at + number.size())) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Assembly byNameAlone(const Assembly& assembly) {
+  Assembly alone{assembly.machine, assembly.tool, {}, {}};
+  if (!assembly.holder.empty()) alone.tool += ' ' + assembly.holder;
+  if (!(assembly.stickOut.value > 0.0)) return alone;
+  char stickOut[32];
+  std::snprintf(stickOut, sizeof stickOut, "%g", 1e3 * assembly.stickOut.value);
+  if (!namesNumber(assembly.holder, stickOut)) alone.tool += std::string(" stick-out ") + stickOut;
+  return alone;
 }
 
 Status check(const CutEvidence& cut, const std::string& where) {

@@ -26,6 +26,10 @@ struct Assembly {
   friend bool operator==(const Assembly&, const Assembly&) = default;
 };
 
+// The same assembly as cuts were kept when a tool's name said how it was clamped, in the words of the page Set up; a
+// name alone says all of it where nothing more is said here.
+Assembly byNameAlone(const Assembly& assembly);
+
 struct CutEvidence {
   std::string id;  // unique over all machines; the store makes one where it is empty
   Assembly assembly;

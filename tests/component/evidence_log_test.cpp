@@ -19,6 +19,8 @@ config::Profile profileOf(const std::string& model) {
   profile.cut.machine = "Mill 3";
   profile.cut.tool = "T12";
   profile.cut.teeth = 4;
+  profile.holder = "ER32";
+  profile.stickOut = Metres(48e-3);
   profile.depth = Metres(1.5e-3);
   profile.model = model;
   return profile;
@@ -63,6 +65,8 @@ TEST(EvidenceLog, KeepsTheJudgedCutsOfARun) {
   int chattered = 0;
   for (const learn::CutEvidence& cut : cuts) {
     EXPECT_EQ(cut.assembly.tool, "T12");
+    EXPECT_EQ(cut.assembly.holder, "ER32");
+    EXPECT_DOUBLE_EQ(cut.assembly.stickOut.value, 48e-3);
     EXPECT_EQ(cut.depth, Metres(1.5e-3));
     EXPECT_EQ(cut.diameter, Metres(10e-3));
     EXPECT_EQ(cut.engagement.radialImmersion, 0.5);

@@ -1,6 +1,5 @@
 #include "ui/models/setup_draft.h"
 
-#include <QRegularExpression>
 #include <cmath>
 #include <utility>
 
@@ -21,18 +20,6 @@ void put(std::map<std::string, std::string>& settings, const QString& key, const
   } else {
     settings[key.toStdString()] = value.trimmed().toStdString();
   }
-}
-
-// With its stick-out: what is learned of one that sticks out otherwise is of another tool. The same in every language,
-// so that its cuts are found again.
-QString clampedName(const ToolEntry& tool) {
-  QString name = tool.holder.isEmpty() ? tool.name : tool.name + u' ' + tool.holder;
-  const QString stickOut = QString::number(tool.stickOut_mm);
-  static const QRegularExpression kNumber(QStringLiteral("\\d+(?:\\.\\d+)?"));
-  for (auto numbers = kNumber.globalMatch(tool.holder); numbers.hasNext();) {
-    if (numbers.next().captured() == stickOut) return name;  // the shop says it itself
-  }
-  return tool.stickOut_mm > 0.0 ? name + QStringLiteral(" stick-out ") + stickOut : name;
 }
 
 }  // namespace
@@ -100,7 +87,9 @@ void SetupDraft::setLinkSetting(const QString& key, const QString& value) {
 
 void SetupDraft::useTool(const ToolEntry& tool) {
   edit([&](config::Profile& p) {
-    p.cut.tool = clampedName(tool).toStdString();
+    p.cut.tool = tool.name.toStdString();
+    p.holder = tool.holder.toStdString();
+    p.stickOut = Metres(tool.stickOut_mm * 1e-3);
     p.cut.teeth = tool.teeth;
     p.cut.toolDiameter = Metres(tool.diameter_mm * 1e-3);
     p.model = tool.modes.toStdString();  // none: the modes are not known, least of all those of the tool before

@@ -39,6 +39,8 @@ Result<std::optional<learn::CutEvidence>> evidenceOf(const config::Profile& prof
   learn::CutEvidence cut;
   cut.assembly.machine = profile.cut.machine;
   cut.assembly.tool = profile.cut.tool;
+  cut.assembly.holder = profile.holder;
+  cut.assembly.stickOut = profile.stickOut;
   cut.teeth = profile.cut.teeth;
   cut.diameter = profile.cut.toolDiameter.value > 0.0 ? profile.cut.toolDiameter : model->model.tool.diameter;
   cut.depth = profile.depth;

@@ -2,7 +2,9 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -49,10 +51,18 @@ Result<std::vector<learn::CutEvidence>> cutsOf(const LearnedWorker::Work& work) 
   if (!std::filesystem::exists(work.store, unknown)) return std::vector<learn::CutEvidence>();
   const auto store = learn::EvidenceStore::openToRead(work.store);
   if (!store) return store.error();
-  const learn::Assembly& a = work.cut->assembly;
-  auto cuts = store->cuts({a.machine, a.tool, a.holder, {}});
-  if (cuts) std::erase_if(*cuts, [&a](const learn::CutEvidence& cut) { return !clampedAlike(cut.assembly, a); });
-  return cuts;
+  const learn::Assembly& now = work.cut->assembly;
+  std::vector<learn::Assembly> names{now};
+  if (const learn::Assembly before = byNameAlone(now); !(before == now)) names.push_back(before);
+  std::vector<learn::CutEvidence> all;
+  for (const learn::Assembly& a : names) {
+    auto cuts = store->cuts({a.machine, a.tool, a.holder, {}});
+    if (!cuts) return cuts.error();
+    std::ranges::copy_if(*cuts, std::back_inserter(all),
+                         [&a](const learn::CutEvidence& cut) { return clampedAlike(cut.assembly, a); });
+  }
+  std::ranges::stable_sort(all, {}, &learn::CutEvidence::time_s);
+  return all;
 }
 
 learn::MapRequest requestOf(const LearnedWorker::Work& work) {

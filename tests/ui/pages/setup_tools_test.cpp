@@ -45,21 +45,22 @@ TEST_F(SetupPageTest, SpeedPitchAndModesOfAToolGoIntoTheProfileAndLeaveWithIt) {
   EXPECT_TRUE(without.params.isAutomatic(config::kToolSpeed)) << "no limit is said of this one";
 }
 
-// What is learned of a tool is found again by this name.
+// What is learned of a tool is found again by these.
 TEST_F(SetupPageTest, AToolThatSticksOutOtherwiseIsAnotherTool) {
-  ToolEntry shorter, longer, said;
-  shorter.name = longer.name = said.name = QStringLiteral("T12");
-  shorter.stickOut_mm = said.stickOut_mm = 48.0;
-  longer.stickOut_mm = 60.5;
-  said.holder = QStringLiteral("HSK63, stick-out 48");
+  ToolEntry tool;
+  tool.name = QStringLiteral("T12");
+  tool.holder = QStringLiteral("HSK63 shrink-fit");
+  tool.stickOut_mm = 60.5;
   SetupDraft draft;
-  const auto named = [&](const ToolEntry& tool) {
-    draft.useTool(tool);
-    return draft.profile().cut.tool;
-  };
-  EXPECT_EQ(named(shorter), "T12 stick-out 48");
-  EXPECT_EQ(named(longer), "T12 stick-out 60.5");
-  EXPECT_EQ(named(said), "T12 HSK63, stick-out 48") << "the shop says it itself";
+  draft.useTool(tool);
+  EXPECT_EQ(draft.profile().cut.tool, "T12");
+  EXPECT_EQ(draft.profile().holder, "HSK63 shrink-fit");
+  EXPECT_NEAR(draft.profile().stickOut.value, 60.5e-3, 1e-12);
+  tool.holder.clear();
+  tool.stickOut_mm = 0.0;
+  draft.useTool(tool);
+  EXPECT_TRUE(draft.profile().holder.empty());
+  EXPECT_EQ(draft.profile().stickOut.value, 0.0) << "not that of the tool before";
 }
 
 TEST_F(SetupPageTest, APitchThatDoesNotGoOnceAroundIsNotKept) {

@@ -115,6 +115,17 @@ TEST(Profile, NamesTheModelOfItsCut) {
   EXPECT_NE(profileText(*p, catalog()).find("model = \"cut.toml\"\ndepth_mm = 1.5\n"), std::string::npos);
 }
 
+TEST(Profile, KeepsHowItsToolIsClamped) {
+  std::string content(kMill3);
+  content.insert(content.find("teeth = 4"), "holder = \"HSK63 ER32\"\nstick_out_mm = 48\n");
+  const Result<Profile> p = parseProfile(content, "p.toml", catalog(), kKnown);
+  ASSERT_TRUE(p.ok()) << p.error().line();
+  EXPECT_EQ(p->holder, "HSK63 ER32");
+  EXPECT_DOUBLE_EQ(p->stickOut.value, 48e-3);
+  EXPECT_NE(profileText(*p, catalog()).find("holder = \"HSK63 ER32\"\nstick_out_mm = 48"), std::string::npos);
+  EXPECT_NE(lineWith("teeth = 4", "stick_out_mm = -1").find("stick_out_mm"), std::string::npos);
+}
+
 TEST(Profile, KeepsThePitchOfItsToolWhereItIsUneven) {
   std::string content(kMill3);
   content.insert(content.find("teeth = 4"), "pitch_deg = [85.5, 94.5, 85.5, 94.5]\n");

@@ -245,7 +245,7 @@ ToolEntry SetupTools::typedOver(int row) const {
     if (!edit->isModified()) return kept;
     return std::min(1e3 * lengthFrom(numberIn(edit, 0.0), units).value, most);
   };
-  tool.stickOut_mm = length(stickOut_, tool.stickOut_mm, 10000.0);
+  tool.stickOut_mm = length(stickOut_, tool.stickOut_mm, 2000.0);
   tool.deepest_mm = length(deepest_, tool.deepest_mm, 1000.0);
   tool.modes = modes_->text().trimmed();
   tool.material = material_->text().trimmed();

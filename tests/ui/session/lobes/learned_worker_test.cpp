@@ -101,6 +101,28 @@ TEST_F(LearnedFromCuts, CutsOfThisToolAsItIsClampedCountAndAdviceKeepsWithinReac
   EXPECT_GE(learned->best.probabilityStable, 0.85);
 }
 
+// As Set up named tools before a profile said how they are clamped.
+TEST_F(LearnedFromCuts, CutsThatWereKeptUnderANameThatSaysHowItIsClampedCount) {
+  LearnedWorker::Work clamped = work();
+  clamped.cut->assembly.holder = "ER32";
+  clamped.cut->assembly.stickOut = Metres(48e-3);
+  learn::CutEvidence now = cutAt(Rpm(8000), Metres(1e-3), false), before = now, other = now, bare = now;
+  now.assembly = clamped.cut->assembly;
+  before.assembly.tool = "T12 ER32 stick-out 48";
+  other.assembly.tool = "T12 ER32 stick-out 60";
+  for (const learn::CutEvidence& cut : {now, before, other, bare}) keep(cut);
+  LearnedWorker worker(clamped);
+  EXPECT_EQ(answerOf(worker)->cuts.size(), 2U);
+  LearnedWorker::Work said = work();  // the holder's name said it itself
+  said.cut->assembly.holder = "ER32, 60.5 mm";
+  said.cut->assembly.stickOut = Metres(60.5e-3);
+  learn::CutEvidence long_ = bare;
+  long_.assembly.tool = "T12 ER32, 60.5 mm";
+  keep(long_);
+  LearnedWorker found(said);
+  EXPECT_EQ(answerOf(found)->cuts.size(), 1U);
+}
+
 TEST_F(LearnedFromCuts, ACutThatIsKeptLaterCountsWhenItIsAskedAgain) {
   keep(cutAt(Rpm(8000), Metres(1e-3), false));
   LearnedWorker worker(work());
