@@ -80,6 +80,7 @@ const Snapshot* CutRun::read() {
   if (live_ == nullptr) return nullptr;
   takeOwnLimits(info_.limits, *rig_);
   if (cuts_) cuts_->look(*live_);
+  if (margin_) margin_->look(*live_);
   authority_ = live_->authority;
   if (live_->machine.link.effect.value > 0.0) effect_ = live_->machine.link.effect;
   if (!began_) {
@@ -88,6 +89,18 @@ const Snapshot* CutRun::read() {
   }
   if (lobes_ && !lobes_->started()) lobes_->setStart(*began_);
   return live_;
+}
+
+void CutRun::tellMargin() {
+  LearnedWorker* worker = lobes_ ? lobes_->learnedWorker() : nullptr;
+  if (worker != nullptr) margin_ = std::make_unique<MarginWatch>(*worker, rig_->setup());
+}
+
+void CutRun::readSignal(const std::function<void(const SampleBlock&)>& sink) {
+  rig_->signal().read([&](const SampleBlock& block) {
+    if (margin_) margin_->hear(block);
+    sink(block);
+  });
 }
 
 double CutRun::vibrationWithout(Instant t) const {
@@ -234,6 +247,7 @@ Result<std::unique_ptr<CutRun>> openProfileRun(const std::string& path, Recorded
   const auto cut = evidenceOf(*profile, path);
   if (*lobes && cut) (*lobes)->learnFrom(defaultCutStore(), *cut);
   run->setLobes(std::move(lobes).value());
+  if (cut && *cut) run->tellMargin();
   if (profile->source.id == "simulated") run->again = [path, recorded] { return openProfileRun(path, recorded); };
   // A replay and a simulation are no cuts of the shop. What the model lacks for learning, the lobes have complained of.
   const bool real = profile->source.id != "replay" && profile->source.id != "simulated";

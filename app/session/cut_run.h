@@ -17,6 +17,7 @@
 #include "app/session/deletions.h"
 #include "app/session/demo/uncontrolled_cut.h"
 #include "app/session/lobe_worker.h"
+#include "app/session/lobes/margin_watch.h"
 #include "app/session/machine_trial.h"
 #include "app/session/session_view.h"
 #include "core/config/profile.h"
@@ -52,6 +53,9 @@ class CutRun {
   void setLobes(std::unique_ptr<LobeWorker> lobes) { lobes_ = std::move(lobes); }
   // Its judged cuts go into a store, from which the lobes are learned.
   void keepCuts(std::unique_ptr<EvidenceLog> cuts) { cuts_ = std::move(cuts); }
+  // Before start(): how much deeper its stable cuts could go is told from their signal. The lobes learn from its cuts.
+  void tellMargin();
+  std::optional<ui::DepthMargin> margin() const { return margin_ ? margin_->margin() : std::nullopt; }
   void setActive(std::unique_ptr<ActiveLoopController> active) { active_ = std::move(active); }
 
   // Threads on; flight recordings go to `flights`, what happens into `log`, which outlives the run.
@@ -60,6 +64,8 @@ class CutRun {
   Status stop();
   // The newest snapshot, or null before the first; valid until the next call.
   const Snapshot* read();
+  // Everything that came since the last call, in order.
+  void readSignal(const std::function<void(const SampleBlock&)>& sink);
   void send(const OperatorInput& input);
 
   Rig& rig() { return *rig_; }
@@ -91,6 +97,7 @@ class CutRun {
   QString recordings_;
   Deletions deletions_;
   std::unique_ptr<LobeWorker> lobes_;
+  std::unique_ptr<MarginWatch> margin_;  // of what the lobes learn; null: nothing
   std::unique_ptr<ActiveLoopController> active_;
   std::unique_ptr<UncontrolledCut> without_;  // null: a real cut, or nobody compares
   std::optional<Instant> began_;              // stream time of the first sample

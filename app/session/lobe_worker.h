@@ -53,6 +53,7 @@ class LobeWorker final : public ui::LobeService {
   void learn() override {
     if (learned_) learned_->learn();
   }
+  LearnedWorker* learnedWorker() { return learned_.get(); }  // null: nothing is learned of such a cut
   std::shared_ptr<const ui::LearnedLobes> learned() const override { return learned_ ? learned_->newest() : nullptr; }
 
  private:

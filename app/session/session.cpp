@@ -156,7 +156,11 @@ const Snapshot* Session::pull() {
 }
 
 void Session::readSignal(const std::function<void(const SampleBlock&)>& sink) {
-  (shown() ? *replays_.signal() : run_->rig().signal()).read(sink);
+  if (shown()) {
+    replays_.signal()->read(sink);
+  } else {
+    run_->readSignal(sink);
+  }
 }
 
 void Session::showChannel(int channel) {

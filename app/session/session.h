@@ -73,6 +73,7 @@ class Session final : public ui::SessionFacade {
   ui::LinkStatus link() const override;
   ui::LobeService* lobes() override { return shown() ? replays_.lobes() : run_->lobes(); }
   double vibrationWithout(Instant t) override { return run_->vibrationWithout(t); }
+  std::optional<ui::DepthMargin> depthMargin() const override { return run_->margin(); }
   bool mayRunAgain() const override { return run_->again && run_->rig().finished(); }
   Status runAgain() override;
   ui::LobeEntryController* lobeEntry() override { return &entered_; }

@@ -211,4 +211,18 @@ DecayAnswer freeDecay(std::span<const double> samples, Hertz rate, Rpm spindle, 
   return {decay, {}};
 }
 
+DecayAnswer slowestDecay(std::span<const std::vector<double>> channels, Hertz rate, Rpm spindle,
+                         const DecayParams& params) {
+  constexpr double kHeard = 2.6;  // samples in a period of the highest frequency, at least
+  DecayParams within = params;
+  within.highest = Hertz(std::min(params.highest.value, rate.value / kHeard));
+  DecayAnswer slowest;
+  for (const std::vector<double>& channel : channels) {
+    DecayAnswer now = freeDecay(channel, rate, spindle, within);
+    const bool better = now.decay && (!slowest.decay || now.decay->rate < slowest.decay->rate);
+    if (better || (!slowest.decay && slowest.why.empty())) slowest = std::move(now);
+  }
+  return slowest;
+}
+
 }  // namespace stillcut::learn

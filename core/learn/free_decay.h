@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/base/message.h"
 #include "core/base/units.h"
@@ -35,5 +36,9 @@ struct DecayAnswer {
 
 // `samples` of a steady stable cut at a constant speed.
 DecayAnswer freeDecay(std::span<const double> samples, Hertz rate, Rpm spindle, const DecayParams& params = {});
+
+// The slowest decay of all channels is what the cut has left; none: why of the first.
+DecayAnswer slowestDecay(std::span<const std::vector<double>> channels, Hertz rate, Rpm spindle,
+                         const DecayParams& params = {});
 
 }  // namespace stillcut::learn

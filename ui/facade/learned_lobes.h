@@ -46,4 +46,11 @@ struct LearnedLobes {
   double at(std::size_t speed, std::size_t depth) const { return probability[speed * depths.size() + depth]; }
 };
 
+// How much deeper the stable cut that runs could go before it chatters, from its own free vibration.
+struct DepthMargin {
+  Metres rise{};         // median
+  Metres low{}, high{};  // 10 and 90 %
+  bool operator==(const DepthMargin&) const = default;
+};
+
 }  // namespace stillcut::ui

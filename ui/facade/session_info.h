@@ -4,12 +4,14 @@
 #include <QString>
 #include <QStringList>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/model/active_state.h"
 #include "core/model/cut_setup.h"
 #include "core/model/snapshot.h"
 #include "ui/base/units.h"
+#include "ui/facade/learned_lobes.h"
 
 namespace stillcut::ui {
 
@@ -79,9 +81,10 @@ struct Picture {
   // Vibration that the same cut would have at this moment without Stillcut, rms of the first channel [SI]; not a
   // number: nobody knows, as in any real cut.
   double vibrationWithout = std::numeric_limits<double>::quiet_NaN();
-  bool mayRunAgain = false;  // over, and the same can be run once more
-  QString notRunAgain;       // a sentence: why the last touch of AGAIN came to nothing; empty: it did not
-  bool replay = false;       // the pages show a replay: there is nothing to answer or to judge in it
+  bool mayRunAgain = false;             // over, and the same can be run once more
+  QString notRunAgain;                  // a sentence: why the last touch of AGAIN came to nothing; empty: it did not
+  bool replay = false;                  // the pages show a replay: there is nothing to answer or to judge in it
+  std::optional<DepthMargin> margin{};  // of the stable cut that runs; none: nobody can tell
 
   // Nothing more will come, and it is known why: not stale.
   bool over() const { return !link.ended.isEmpty(); }

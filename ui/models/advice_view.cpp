@@ -7,6 +7,7 @@
 #include "ui/base/format.h"
 #include "ui/base/reason_text.h"
 #include "ui/base/say.h"
+#include "ui/models/learned_view.h"
 #include "ui/models/named_chatter.h"
 
 namespace stillcut::ui {
@@ -136,6 +137,7 @@ AdviceView forHand(const Picture& picture) {
   if (there && !picture.replay) {
     view.title = say("STABLE SPEED");
     view.reason = say("The spindle turns as advised and the cut is stable: keep it");
+    if (picture.margin) view.cost = marginLine(*picture.margin, picture.units);
   }
   return view;
 }
@@ -227,6 +229,7 @@ AdviceView nothing(const Picture& picture) {
     view.reason = say("Authority is off: Stillcut only watches");
   if (view.reason.isEmpty() && !quiet && !alarm) view.reason = say("There is no verdict to act on");
   if (view.reason.isEmpty() && alarm) view.reason = say("The strategy has not decided yet");
+  if (quiet && picture.margin) view.feed = marginLine(*picture.margin, picture.units);
   return view;
 }
 

@@ -77,6 +77,17 @@ QString learnedAt(const LearnedLobes& learned, const SpeedDepth& at) {
   return Learned::tr("Learned from cuts: stable here with %1").arg(percent(std::clamp(stable, 0.01, 0.99)));
 }
 
+QString marginLine(const DepthMargin& margin, UnitSystem units) {
+  // As fine as its uncertainty: 0.1 mm, 0.01 in; of small cuts a tenth of that.
+  const double rise = lengthIn(margin.rise, units), high = lengthIn(margin.high, units);
+  const double fine = units == UnitSystem::Metric ? 0.1 : 0.01;
+  const int decimals = (units == UnitSystem::Metric ? 1 : 2) + (high < 3.0 * fine ? 1 : 0);
+  const auto shown = [&](double length) { return number(std::max(0.0, length), decimals); };
+  if (rise < 0.5 * std::pow(10.0, -decimals)) return Learned::tr("No deeper: this cut is close to its limit");
+  return Learned::tr("Depth could rise by about %1 (%2 to %3)")
+      .arg(join(shown(rise), lengthUnit(units)), shown(lengthIn(margin.low, units)), shown(high));
+}
+
 QString evidenceText(const LearnedCut& cut, UnitSystem units) {
   const QString when =
       QLocale().toString(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(cut.wallS)), QLocale::ShortFormat);

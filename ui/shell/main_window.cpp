@@ -220,7 +220,8 @@ void MainWindow::tick(qint64 nowMs) {
                   replay ? kUnknown : session_.vibrationWithout(snapshot ? snapshot->time : Instant{}),
                   !replay && session_.mayRunAgain(),
                   notRunAgain_,
-                  replay};
+                  replay,
+                  replay ? std::nullopt : session_.depthMargin()};
   for (Page* page : pages_) page->see(picture);
   pages_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
   // What commands, and what tells how the machine fares, is of the machine whatever the pages show.

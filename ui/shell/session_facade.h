@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "core/model/operator_input.h"
 #include "core/model/sample_block.h"
 #include "core/model/snapshot.h"
 #include "ui/facade/active_controller.h"
 #include "ui/facade/file_controller.h"
+#include "ui/facade/learned_lobes.h"
 #include "ui/facade/lobe_entry.h"
 #include "ui/facade/lobe_service.h"
 #include "ui/facade/session_controller.h"
@@ -56,6 +58,8 @@ class SessionFacade {
   virtual LobeEntryController* lobeEntry() { return nullptr; }
   // Of a simulated cut: the vibration it would have at this time without Stillcut (Picture::vibrationWithout).
   virtual double vibrationWithout(Instant /*t*/) { return std::numeric_limits<double>::quiet_NaN(); }
+  // Of the stable cut that runs (Picture::margin).
+  virtual std::optional<DepthMargin> depthMargin() const { return std::nullopt; }
   // The cut of liveInfo() can be run once more when it is over; runAgain() does it.
   virtual bool mayRunAgain() const { return false; }
   virtual Status runAgain() { return Done{}; }

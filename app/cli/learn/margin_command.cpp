@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "app/cli/learn/learn_options.h"
 #include "app/compose/measure_samples.h"
@@ -26,26 +27,19 @@ struct MarginCommand {
   bool json = false;
 };
 
-// The slowest decay of all channels is what the cut has left; none: why of the first.
+// The stretch that was asked about, of every channel.
 learn::DecayAnswer slowest(const daq::MeasuredSamples& heard, const MarginCommand& c) {
-  learn::DecayAnswer answer;
+  std::vector<std::vector<double>> channels;
   for (const std::vector<float>& channel : heard.samples) {
     const auto at = [&](double seconds) {
       return std::min(channel.size(), static_cast<std::size_t>(std::max(0.0, seconds) * heard.rate.value));
     };
     const std::size_t end = c.to_s > 0.0 ? at(c.to_s) : channel.size();
     const std::size_t begin = std::min(at(c.from_s), end);
-    const std::vector<double> x(channel.begin() + static_cast<std::ptrdiff_t>(begin),
-                                channel.begin() + static_cast<std::ptrdiff_t>(end));
-    learn::DecayParams params;
-    params.highest = Hertz(std::min(params.highest.value, heard.rate.value / 2.6));
-    learn::DecayAnswer now = freeDecay(x, heard.rate, Rpm(c.speed), params);
-    if (!answer.decay && !answer.why.empty() && !now.decay) continue;
-    if (!now.decay && answer.decay) continue;
-    if (now.decay && answer.decay && now.decay->rate >= answer.decay->rate) continue;
-    answer = std::move(now);
+    channels.emplace_back(channel.begin() + static_cast<std::ptrdiff_t>(begin),
+                          channel.begin() + static_cast<std::ptrdiff_t>(end));
   }
-  return answer;
+  return learn::slowestDecay(channels, heard.rate, Rpm(c.speed));
 }
 
 // Empty: a stable cut, which alone has a margin. The detector of `analyze` says it, of the stretch that was asked

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <iterator>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/learn/evidence_store.h"
 #include "core/learn/machine_prior.h"
 #include "core/learn/next_cut.h"
 #include "core/learn/stability_map.h"
+#include "core/learn/stable_margin.h"
 #include "ui/base/say.h"
 
 namespace stillcut::app {
@@ -97,21 +99,26 @@ void advise(LearnedLobes& answer, learn::LobePosterior& posterior, const Learned
   if (next->removalNow > 0.0) answer.gain = next->removalExpected / next->removalNow - 1.0;
 }
 
-// Nothing: it was stopped.
-std::optional<LearnedLobes> learnedOf(const LearnedWorker::Work& work, const std::stop_token& stop) {
-  LearnedLobes answer;
-  if (!work.cut) return answer;
+// Everything that was kept, and the tool's modes. Empty: it was stopped.
+Result<std::optional<learn::LobePosterior>> posteriorOf(const LearnedWorker::Work& work, const std::stop_token& stop) {
+  constexpr double kDeeper = 3.0;  // than the cut that runs, whose margin is asked for
   const auto cuts = cutsOf(work);
-  if (!cuts) return failed(cuts.error());
-  answer.state = cuts->empty() ? LearnedLobes::State::NoCuts : LearnedLobes::State::Known;
-  if (cuts->empty()) return answer;
+  if (!cuts) return cuts.error();
   const learn::MapRequest request = requestOf(work);
-  learn::LobePosterior posterior(priorOf(work.model),
-                                 learn::rangeOf(*cuts, request.lowest, request.highest, request.deepest));
+  const Metres deepest = std::max(request.deepest, work.cut->depth * kDeeper);
+  std::optional<learn::LobePosterior> posterior(std::in_place, priorOf(work.model),
+                                                learn::rangeOf(*cuts, request.lowest, request.highest, deepest));
   for (const learn::CutEvidence& cut : *cuts) {
-    if (stop.stop_requested()) return std::nullopt;
-    if (const Status added = posterior.add(cut); !added) return failed(added.error());
+    if (stop.stop_requested()) return std::optional<learn::LobePosterior>();
+    if (const Status added = posterior->add(cut); !added) return added.error();
   }
+  return posterior;
+}
+
+LearnedLobes learnedOf(const LearnedWorker::Work& work, learn::LobePosterior& posterior) {
+  LearnedLobes answer;
+  answer.state = posterior.cuts().empty() ? LearnedLobes::State::NoCuts : LearnedLobes::State::Known;
+  if (posterior.cuts().empty()) return answer;
   for (const learn::CutEvidence& cut : posterior.cuts()) {
     answer.cuts.push_back({{cut.speed, cut.depth},
                            cut.outcome == learn::CutOutcome::Chatter,
@@ -120,7 +127,7 @@ std::optional<LearnedLobes> learnedOf(const LearnedWorker::Work& work, const std
                            cut.time_s});
   }
   answer.forgotten = posterior.forgotten();
-  learn::StabilityMap map = stabilityMap(posterior, request);
+  learn::StabilityMap map = stabilityMap(posterior, requestOf(work));
   answer.speeds = std::move(map.speeds);
   answer.depths = std::move(map.depths);
   answer.probability = std::move(map.probability);
@@ -128,11 +135,45 @@ std::optional<LearnedLobes> learnedOf(const LearnedWorker::Work& work, const std
   return answer;
 }
 
+// Modes are looked for where the tool has them.
+std::optional<ui::DepthMargin> marginOf(const LearnedWorker::Work& work, learn::LobePosterior& posterior,
+                                        const learn::SteadyStretch& heard) {
+  learn::DecayParams band;
+  for (const milling::Mode& mode : work.model.modes) {
+    band.lowest = std::min(band.lowest, mode.frequency * 0.7);
+    band.highest = std::max(band.highest, mode.frequency * 1.3);
+  }
+  const learn::DecayAnswer decay = learn::slowestDecay(heard.channels, heard.rate, heard.speed, band);
+  if (!decay.decay) return std::nullopt;
+  const learn::StableCut cut{work.cut->engagement, work.cut->teeth, heard.speed, work.cut->depth};
+  const learn::MarginAnswer answer = learn::stableMargin(posterior, cut, *decay.decay);
+  if (!answer.margin) return std::nullopt;
+  return ui::DepthMargin{answer.margin->rise, answer.margin->low, answer.margin->high};
+}
+
 }  // namespace
 
 void LearnedWorker::learn() {
   const std::scoped_lock lock(mutex_);
   again_ = true;
+  begin();
+}
+
+void LearnedWorker::listen(learn::SteadyStretch stretch, bool anew) {
+  if (!work_.cut) return;
+  const std::scoped_lock lock(mutex_);
+  heard_ = std::move(stretch);
+  anew_ = anew_ || anew;
+  begin();
+}
+
+LearnedWorker::Margin LearnedWorker::margin() const {
+  const std::scoped_lock lock(mutex_);
+  return margin_;
+}
+
+// Under the lock.
+void LearnedWorker::begin() {
   if (busy_) return;
   busy_ = true;
   if (thread_.joinable()) thread_.join();  // it has left the lock for good
@@ -147,17 +188,37 @@ std::shared_ptr<const LearnedLobes> LearnedWorker::newest() const {
 void LearnedWorker::run(const std::stop_token& stop) {
   setpriority(PRIO_PROCESS, 0, kNice);  // on Linux: of this thread
   for (;;) {
+    bool lobes = false, anew = false;
+    std::optional<learn::SteadyStretch> heard;
     {
       const std::scoped_lock lock(mutex_);
-      if (!again_ || stop.stop_requested()) {
+      if ((!again_ && !heard_) || stop.stop_requested()) {
         busy_ = false;
         return;
       }
-      again_ = false;
+      lobes = std::exchange(again_, false);
+      anew = std::exchange(anew_, false) || lobes;
+      heard = std::exchange(heard_, std::nullopt);
     }
-    auto answer = learnedOf(work_, stop);
+    Status read = Done{};
+    if (work_.cut && (anew || !posterior_)) {
+      auto made = posteriorOf(work_, stop);
+      if (made && !made.value()) continue;  // stopped
+      posterior_.reset();
+      if (made) posterior_.emplace(std::move(**made));
+      if (!made) read = made.error();
+    }
+    if (lobes) {
+      auto answer = std::make_shared<const LearnedLobes>(!read        ? failed(read.error())
+                                                         : posterior_ ? learnedOf(work_, *posterior_)
+                                                                      : LearnedLobes());
+      const std::scoped_lock lock(mutex_);
+      newest_ = std::move(answer);
+    }
+    if (!heard) continue;
+    const auto margin = posterior_ ? marginOf(work_, *posterior_, *heard) : std::nullopt;
     const std::scoped_lock lock(mutex_);
-    if (answer) newest_ = std::make_shared<const LearnedLobes>(std::move(*answer));
+    margin_ = {margin_.number + 1, margin};
   }
 }
 

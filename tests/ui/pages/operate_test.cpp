@@ -57,6 +57,20 @@ TEST_F(Operate, TellsTheStoryFromStableToChatterToQuiet) {
   EXPECT_EQ(find<InterventionList>()->shownCards(), 2);
 }
 
+TEST_F(Operate, SaysHowMuchDeeperAStableCutCouldGoAndNothingOfOneThatChatters) {
+  open();
+  play(2);
+  EXPECT_TRUE(advice().feed.isEmpty()) << "nobody can tell";
+  session_.setDepthMargin(DepthMargin{Metres(0.42e-3), Metres(0.21e-3), Metres(0.68e-3)});
+  play(0.1);
+  EXPECT_EQ(advice().feed, QStringLiteral("Depth could rise by about 0.4\u00a0mm (0.2 to 0.7)"));
+  session_.setDepthMargin(DepthMargin{Metres(0.01e-3), Metres(-0.1e-3), Metres(0.1e-3)});
+  play(0.1);
+  EXPECT_TRUE(advice().feed.contains(QStringLiteral("close to its limit")));
+  playToChatter();
+  EXPECT_FALSE(advice().feed.contains(QStringLiteral("limit")));
+}
+
 TEST_F(Operate, AcceptAndRefuseByKey) {
   open();
   press("advise");

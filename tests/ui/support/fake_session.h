@@ -31,6 +31,8 @@ class FakeSession final : public SessionFacade {
   LobeEntryController* lobeEntry() override { return lobeEntry_; }
   void setLobeEntry(LobeEntryController* entry) { lobeEntry_ = entry; }
   double vibrationWithout(Instant) override { return without_; }
+  std::optional<DepthMargin> depthMargin() const override { return margin_; }
+  void setDepthMargin(std::optional<DepthMargin> margin) { margin_ = margin; }
   void setVibrationWithout(double rms) { without_ = rms; }
   bool mayRunAgain() const override { return mayRunAgain_; }
   Status runAgain() override {
@@ -110,6 +112,7 @@ class FakeSession final : public SessionFacade {
   bool lobesKnown_ = true;
   LobeService* replayLobes_ = nullptr;
   LobeEntryController* lobeEntry_ = nullptr;
+  std::optional<DepthMargin> margin_;
   double without_ = std::numeric_limits<double>::quiet_NaN();
   bool mayRunAgain_ = false;
   int runsAgain_ = 0;
