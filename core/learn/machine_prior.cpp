@@ -1,27 +1,14 @@
 #include "core/learn/machine_prior.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "core/milling/linear_force.h"
+#include "core/milling/material_table.h"
+
 namespace stillcut::learn {
 namespace {
-
-// Mean specific forces of sharp carbide at usual chips (Altintas, Manufacturing Automation, 2nd ed., table 2.1 and
-// ch. 2; Schmitz and Smith, Machining Dynamics, table 4.2), rounded.
-constexpr std::array<MaterialGuess, 6> kMaterials{{{"aluminium", 7.5e8, 0.30},
-                                                   {"steel", 1.9e9, 0.40},
-                                                   {"stainless", 2.2e9, 0.45},
-                                                   {"titanium", 1.8e9, 0.40},
-                                                   {"cast-iron", 1.3e9, 0.40},
-                                                   {"brass", 8.0e8, 0.30}}};
-
-const MaterialGuess& materialNamed(std::string_view name) {
-  for (const MaterialGuess& m : kMaterials) {
-    if (m.name == name) return m;
-  }
-  return kMaterials.front();
-}
 
 MachinePrior around(std::span<const PriorMode> modes, const milling::Material& material, const ModeSpread& more) {
   MachinePrior prior;
@@ -36,10 +23,6 @@ MachinePrior around(std::span<const PriorMode> modes, const milling::Material& m
 }
 
 }  // namespace
-
-std::span<const MaterialGuess> knownMaterials() {
-  return kMaterials;
-}
 
 Dynamics MachinePrior::machineAt(std::span<const double> guess) const {
   Dynamics machine;
@@ -62,7 +45,9 @@ Dynamics MachinePrior::machineAt(std::span<const double> guess) const {
 // Tips of end mills in machining centres lie between some 400 Hz (long tools, spindle modes) and 3 kHz (short ones), at
 // 5 to 80 N/um for 12 mm, damped by 1 to 7 % (Altintas, ch. 3; Schmitz and Smith, ch. 9; Ford 2013 table 1).
 MachinePrior priorOfTool(Metres diameter, std::string_view material) {
-  const MaterialGuess& guess = materialNamed(material);
+  const milling::TableMaterial* known = milling::findMaterial(material);
+  if (known == nullptr) known = milling::findMaterial("aluminium");
+  const milling::Material guess = milling::linearisedAt(known->material, known->material.usualChip);
   const double size = diameter.value > 0.0 ? diameter.value / 0.012 : 1.0;
   MachinePrior prior;
   milling::Mode mode;
@@ -76,11 +61,10 @@ MachinePrior priorOfTool(Metres diameter, std::string_view material) {
   prior.shared = {0.50, 0.35, 0.75};
   prior.tangential = guess.tangential;
   prior.tangentialSpread = 0.18;
-  prior.radialRatio = guess.radialRatio;
+  prior.radialRatio = guess.radial / guess.tangential;
   char text[80];
-  std::snprintf(text, sizeof text, "end mill, %g mm, %.*s", 1e3 * diameter.value, static_cast<int>(guess.name.size()),
-                guess.name.data());
-  prior.origin = text;
+  std::snprintf(text, sizeof text, "end mill, %g mm, ", 1e3 * diameter.value);
+  prior.origin = text + known->name;
   return prior;
 }
 

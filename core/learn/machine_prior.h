@@ -40,15 +40,8 @@ struct MachinePrior {
   Dynamics machineAt(std::span<const double> guess) const;
 };
 
-// "aluminium", "steel", "stainless", "titanium", "cast-iron", "brass"; the first is taken for a word that is not known.
-struct MaterialGuess {
-  std::string_view name;
-  double tangential;  // [N/m^2]
-  double radialRatio;
-};
-std::span<const MaterialGuess> knownMaterials();
-
-// Nothing but the tool's diameter and the material: an end mill in a machining centre.
+// Nothing but the tool's diameter and the material, by a name of the table of materials (core/milling/material_table.h;
+// aluminium for one that is not known): an end mill in a machining centre.
 MachinePrior priorOfTool(Metres diameter, std::string_view material);
 // Modes that were tapped, each with what its fit says of its uncertainty; what a tap test is off by besides is added.
 MachinePrior priorOfTap(std::span<const PriorMode> modes, const milling::Material& material);

@@ -4,6 +4,7 @@
 
 #include "app/compose/learn/evidence_log.h"
 #include "core/milling/identify/model_files.h"
+#include "core/milling/material_table.h"
 
 namespace stillcut::app {
 namespace {
@@ -108,10 +109,14 @@ void WorkOptions::add(CLI::App& command) {
   command.add_option("--immersion", immersion, "Width of the cut over the diameter; left out: the newest cut's")
       ->check(CLI::Range(0.001, 1.0));
   command.add_option("--side", side, "up or down; left out: the newest cut's")->check(CLI::IsMember({"up", "down"}));
-  std::vector<std::string> names;
-  for (const learn::MaterialGuess& m : learn::knownMaterials()) names.emplace_back(m.name);
-  command.add_option("--material", material, "Material of the part; left out: the newest cut's")
-      ->check(CLI::IsMember(names));
+  command
+      .add_option("--material", material,
+                  "Material of the part, as `materials` lists it or aluminium, steel, stainless, titanium, cast-iron, "
+                  "brass; left out: the newest cut's")
+      ->check([](const std::string& name) {
+        const auto known = milling::materialNamed(name, "--material");
+        return known ? std::string() : text(known.error().what) + " (" + text(known.error().why) + ')';
+      });
   command.add_option("--speeds", speeds, "FROM:TO that the machine can run [rpm]");
   command.add_option("--max-depth", maxDepthMm, "Deepest cut looked at [mm]; left out: the diameter")
       ->check(CLI::PositiveNumber);

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/learn/stability_map.h"
+#include "core/milling/linear_force.h"
+#include "core/milling/material_table.h"
 #include "tests/support/hidden_machines/learning_trial.h"
 
 namespace stillcut::learn {
@@ -231,6 +233,18 @@ TEST(StabilityMap, FallsWithDepthAndAgreesWithTheDepthAtRisk) {
     EXPECT_LE(limits.low[s], limits.median[s]);
     EXPECT_LE(limits.median[s], limits.high[s]);
   }
+}
+
+TEST(MachinePrior, TakesItsForcesFromTheTableOfMaterials) {
+  const MachinePrior known = priorOfTool(Metres(0.012), "42CrMo4");
+  const milling::TableMaterial* entry = milling::findMaterial("4140");
+  ASSERT_NE(entry, nullptr);
+  const milling::Material at = milling::linearisedAt(entry->material, entry->material.usualChip);
+  EXPECT_DOUBLE_EQ(known.tangential, at.tangential);
+  EXPECT_DOUBLE_EQ(known.radialRatio, at.radial / at.tangential);
+  EXPECT_EQ(known.origin, "end mill, 12 mm, 4140");
+  EXPECT_DOUBLE_EQ(priorOfTool(Metres(0.012), "unobtainium").tangential, 7.5e8) << "aluminium";
+  EXPECT_DOUBLE_EQ(priorOfTool(Metres(0.012), "steel").tangential, 1.9e9);
 }
 
 }  // namespace

@@ -53,6 +53,11 @@ TEST(MaterialTable, NamesAreFoundAsPeopleWriteThem) {
   EXPECT_NE(materialNamed("7075-T8", "cut.toml:3").error().line().find("did you mean '7075-T6'?"), std::string::npos);
 }
 
+TEST(MaterialTable, HasTheKindsOfWhichNothingElseIsKnown) {
+  for (const char* kind : {"aluminium", "steel", "stainless", "titanium", "cast iron", "brass"})
+    EXPECT_NE(findMaterial(kind), nullptr) << kind;
+}
+
 CutModel cutFrom(const std::string& material, std::string* error = nullptr) {
   const std::string text = R"([[mode]]
 frequency_hz = 900
