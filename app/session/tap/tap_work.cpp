@@ -224,6 +224,13 @@ Result<identify::ModalAnswer> measureAlongAxes(const std::vector<std::string>& p
     for (AxisModes& found : along->axes) both.axes.push_back(std::move(found));
     if (both.remarks.empty()) both.remarks = std::move(along->remarks);
   }
+  // Averages of which the file does not say along what the force acted; of hits it shows in their force.
+  const bool averages = std::ranges::all_of(both.axes, [](const AxisModes& axis) { return axis.hits.empty(); });
+  if (both.axes.size() == 2 && averages) {
+    both.remarks.push_back(
+        message("two responses and no word of the force: right only if x and y were each hit along "
+                "themselves"));
+  }
   if (both.axes.empty()) return why ? Result<identify::ModalAnswer>(*why) : measured;
   return both;
 }

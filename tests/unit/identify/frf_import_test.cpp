@@ -134,6 +134,37 @@ TEST_F(FrfImport, DirectAndCrossResponsesAreToldApart) {
   EXPECT_NE(unclear.error().line().find("holds 2 responses: 'a', 'b'"), std::string::npos) << unclear.error().line();
 }
 
+// One hammer and two sensors, or each axis hit by itself: "X" and "Y" alone do not say which.
+TEST_F(FrfImport, TwoAxesWithoutTheirForceAreAskedAbout) {
+  const std::string file =
+      frfText("Frequency [Hz],X Re [m/N],X Im [m/N],Y Re [m/N],Y Im [m/N]\n", [](double f, Complex h) {
+        return cells({f, h.real(), h.imag(), 0.1 * h.real(), 0.1 * h.imag()});
+      });
+  const auto asked = import(file);
+  ASSERT_FALSE(asked.ok());
+  EXPECT_NE(asked.error().line().find("'x' along x, 'y' along y"), std::string::npos) << asked.error().line();
+  EXPECT_NE(asked.error().line().find("--axis"), std::string::npos) << asked.error().line();
+  ImportOptions hit = options();
+  hit.axes = {Axis::X};
+  const auto one = import(file, hit);
+  expectRight(one);
+  EXPECT_EQ(std::get<std::vector<Frf>>(one->data).size(), 1U);
+  hit.axes = {Axis::X, Axis::Y};
+  const auto both = import(file, hit);
+  ASSERT_TRUE(both.ok()) << both.error().line();
+  EXPECT_EQ(std::get<std::vector<Frf>>(both->data).size(), 2U) << "each axis was hit by itself";
+  const auto alone = import(frfText("Frequency [Hz],Y Re [m/N],Y Im [m/N]\n", [](double f, Complex h) {
+    return cells({f, h.real(), h.imag()});
+  }));
+  expectRight(alone);
+  EXPECT_EQ(frfOf(alone).axis, Axis::Y);
+  const auto pair = import(frfText("Frequency [Hz],Re X/Y [m/N],Im X/Y [m/N]\n", [](double f, Complex h) {
+    return cells({f, h.real(), h.imag()});
+  }));
+  ASSERT_FALSE(pair.ok());
+  EXPECT_NE(pair.error().line().find("is a cross one, by a force along y"), std::string::npos);
+}
+
 TEST_F(FrfImport, ACrossResponseIsNeverTakenForADirectOne) {
   const std::string cross = frfText("Frequency [Hz],Re Gyx [m/N],Im Gyx [m/N]\n", [](double f, Complex h) {
     return cells({f, h.real(), h.imag()});

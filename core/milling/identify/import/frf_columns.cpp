@@ -107,9 +107,8 @@ ColumnMeaning meaningOfColumn(const TableColumn& column) {
     if (word == "part" || word == "of") continue;
     meaning.response += (meaning.response.empty() ? "" : " ") + word;
     if (takePair(word, meaning) || word.size() != 1 || axisFromLetter(word[0]) == Axis::Unknown) continue;
-    // "X" alone: along x by a force along x; "X/Y": along x by one along y.
-    if (meaning.along == Axis::Unknown) meaning.along = axisFromLetter(word[0]);
-    meaning.force = axisFromLetter(word[0]);
+    // "X/Y": along x by a force along y. "X" alone: whether each axis was hit by itself, or one for both, is not said.
+    (meaning.along == Axis::Unknown ? meaning.along : meaning.force) = axisFromLetter(word[0]);
   }
   if (frequencyUnit(column.unit)) meaning.role = R::Frequency;
   if (angleUnit(column.unit)) meaning.role = R::Phase;
