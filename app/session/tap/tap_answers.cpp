@@ -1,3 +1,4 @@
+#include <QCoreApplication>
 #include <QDate>
 #include <QDir>
 #include <QFileInfo>
@@ -10,6 +11,7 @@
 #include "app/session/tool_cut.h"
 #include "core/milling/identify/model_files.h"
 #include "core/milling/stability/lobe_case.h"
+#include "ui/base/format.h"
 #include "ui/base/say.h"
 
 // What a tap test gives: files in the place of a device, modes, lobes, and what is kept of them.
@@ -147,6 +149,15 @@ std::vector<identify::IdentifiedMode> TapBench::modes() const {
   return all;
 }
 
+// Without it the limits would be too high, and a hint beside the depth would not be read.
+double TapBench::missingMode() const {
+  for (const Axis& axis : axes_) {
+    const bool known = axis.known.shown.state == ui::TapResponse::State::Done;
+    if (known && axis.known.fit.missing > 0.0) return axis.known.fit.missing;
+  }
+  return 0.0;
+}
+
 void TapBench::compute(const ui::TapCut& cut) {
   asked_ = cut;
   computeAnew();
@@ -166,6 +177,16 @@ void TapBench::computeAnew() {
       lobes_.toTry.insert(lobes_.toTry.end(), more.begin(), more.end());
     }
     if (!lobes_.toTry.empty()) lobes_.state = ui::TapLobes::State::Done;
+    return;
+  }
+  if (const double missing = missingMode(); missing > 0.0) {
+    lobes_.state = ui::TapLobes::State::Failed;
+    lobes_.problem =
+        QCoreApplication::translate(
+            "Tap",
+            "The resonance at %1 Hz is deeper than every mode found, and too noisy to be fitted: a depth would "
+            "be too large. Hit harder, average more hits, or take a harder tip.")
+            .arg(ui::number(missing));
     return;
   }
   lobes_.state = ui::TapLobes::State::Working;

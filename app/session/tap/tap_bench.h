@@ -88,6 +88,7 @@ class TapBench final : public ui::TapController {
   QStringList sources() const;
   void computeAnew();
   std::vector<identify::IdentifiedMode> modes() const;
+  double missingMode() const;  // frequency of one that was left out and limits the depth [Hz]; 0: none
   Result<QString> fileIn(const char* folder, const QString& name) const;
 
   QString folder_;

@@ -64,6 +64,7 @@ struct ModalFit {
   double residualMisfit = 0.0;  // misfit of both together
   double measuredDepth = 0.0;   // deepest negative real part of the compliance wherever the hammer reached [m/N]
   double writtenDepth = 0.0;    // the same of the real modes alone
+  double missing = 0.0;         // frequency of a resonance deeper than every mode, too noisy to be fitted [Hz]; 0: none
   double from = 0.0;            // band [Hz]
   double to = 0.0;
   std::vector<double> frequency;               // lines of the band [Hz], thinned where more than 3000

@@ -127,6 +127,7 @@ void nameLeftOut(ModalFit& fit, const std::vector<Resonance>& resonances, double
     } else if (!stoodFor) {
       fit.remarks.push_back(leftOut(r, deepest));
       if (r.depth > fitted) {
+        if (r.noise != PeakNoise::Clear) fit.missing = r.frequency;
         fit.remarks.push_back(
             message("what was left out at %1 Hz is deeper than every mode found: limits computed from these modes are "
                     "too high",

@@ -6,7 +6,10 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <random>
 
 #include "app/session/tap/tap_bench.h"
 #include "core/milling/identify/model_files.h"
@@ -233,6 +236,45 @@ TEST_F(TapPageTest, TheSecondAxisIsOpenedBesideTheFirstAndAWrongFileLosesNothing
   tick(40);
   EXPECT_EQ(text("tap-sign"), QStringLiteral("Not measured"));
   for (int axis = 0; axis < kTapAxes; ++axis) EXPECT_EQ(bench_.response(axis).state, TapResponse::State::Done);
+}
+
+// A soft mode in the noise of a weak hit, beside a stiff one that is clear.
+void writeNoisyResponse(const QString& path, unsigned seed) {
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("Frequency [Hz],Real [m/N],Imag [m/N]\n");
+  std::mt19937 random(seed);
+  std::normal_distribution<double> gauss(0.0, 1.0);
+  const auto mode = [](double f, double at, double damping, double stiffness) {
+    return 1.0 / (stiffness * std::complex<double>(1.0 - f * f / (at * at), 2.0 * damping * f / at));
+  };
+  for (double f = 1.0; f <= 4000.0; f += 1.0) {
+    const double noise = 4.5e-7 * 540.0 * 540.0 / (f * f), re = noise * gauss(random), im = noise * gauss(random);
+    const std::complex<double> h = mode(f, 540.0, 0.028, 8.5e6) + mode(f, 1320.0, 0.022, 2.4e7) + std::complex(re, im);
+    file.write(QByteArray::number(f) + ',' + QByteArray::number(h.real(), 'g', 9) + ',' +
+               QByteArray::number(h.imag(), 'g', 9) + '\n');
+  }
+}
+
+TEST_F(TapPageTest, NoDepthIsRecommendedWhereTheSoftestModeIsBuriedInNoise) {
+  openTap();
+  const QString file = folder_.filePath(QStringLiteral("noisy.csv"));
+  const auto missing = [&] {
+    const QStringList& remarks = bench_.response(0).remarks;
+    return std::ranges::any_of(remarks,
+                               [](const QString& r) { return r.contains(QLatin1String("deeper than every")); });
+  };
+  for (unsigned seed = 1; seed <= 8 && !missing(); ++seed) {
+    writeNoisyResponse(file, seed);
+    bench_.openFiles({file}, 0);
+    ASSERT_TRUE(until([&] { return !bench_.reading().runs; }));
+  }
+  ASSERT_TRUE(missing());
+  bench_.compute({});
+  EXPECT_EQ(bench_.lobes().state, TapLobes::State::Failed);
+  EXPECT_TRUE(bench_.lobes().problem.contains(QLatin1String("average more hits")))
+      << bench_.lobes().problem.toStdString();
+  EXPECT_EQ(bench_.lobes().depth, Metres());
 }
 
 TEST_F(TapPageTest, WhatAFileDoesNotSayIsAskedOnThePage) {

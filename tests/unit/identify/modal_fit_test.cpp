@@ -231,6 +231,7 @@ TEST(ModalBand, WhatIsLeftOutIsNamedWithItsSize) {
   EXPECT_TRUE(said(*fit, "a resonance at 399 Hz"));
   EXPECT_TRUE(said(*fit, "is 100 % of the deepest"));
   EXPECT_TRUE(said(*fit, "what was left out at 399 Hz is deeper than every mode found"));
+  EXPECT_EQ(fit->missing, 0.0) << "somebody has chosen the band";
   EXPECT_NEAR(fit->measuredDepth, 1.0 / (4 * 1e7 * 0.03), 0.05 * fit->measuredDepth);
 }
 
@@ -266,7 +267,9 @@ TEST(ModalBand, APeakBuriedInNoiseIsNamedAndNothingIsPromised) {
     if (fit->modes.front().mode.frequency.value < 700.0) continue;
     const bool deeper = said(*fit, "deeper than every mode found");
     EXPECT_EQ(said(*fit, "left out: a noisy peak at 5"), deeper) << seed;
+    EXPECT_EQ(fit->missing > 0.0, deeper) << seed;
     if (!deeper) continue;
+    EXPECT_NEAR(fit->missing, 540.0, 30.0);
     ++named;
     EXPECT_GT(fit->measuredDepth, 0.8e-6) << "outside of the band, where the hammer reached";
   }
