@@ -343,5 +343,27 @@ TEST_F(FilePageTest, ASecondRecordingLiesBesideAndGoesAgain) {
   EXPECT_TRUE(desk_.path(FileController::Beside).isEmpty());
 }
 
+TEST_F(FilePageTest, ALongerRecordingBesideIsSeenToItsEnd) {
+  openWindow();
+  openFile();
+  const Seconds own = page().view().options().span;
+  page().chooseFile = [](const QString&, const std::function<void(const QString&)>& take) {
+    take(QStringLiteral("/rec/longer.wav"));
+  };
+  press(QStringLiteral("file-beside"));
+  tick(40);
+  tick(40);
+  EXPECT_NEAR(page().view().options().span.value, 2.5 * own.value, 1e-6);
+  EXPECT_NEAR(desk_.requests.back().second.to.value, 2.5 * own.value, 1e-6) << "its spectra as well";
+  page().view().showTimes(Instant{} + toDuration(own * 1.5), Instant{} + toDuration(own * 2.0));
+  tick(40);
+  for (const auto& [place, request] : desk_.requests) EXPECT_LT(request.from, request.to);
+  press(QStringLiteral("file-beside"));
+  tick(40);
+  EXPECT_LE(sinceEpoch(page().view().to()), own) << "nothing is left there";
+  page().view().follow();
+  EXPECT_EQ(page().view().options().span, own);
+}
+
 }  // namespace
 }  // namespace stillcut::ui

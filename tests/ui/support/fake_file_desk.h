@@ -143,7 +143,7 @@ class FakeFileDesk final : public FileController {
     contents.path = path;
     contents.kind = QStringLiteral("WAV");
     contents.rate = Hertz(kRate);
-    contents.length = Seconds(kLength);
+    contents.length = path.endsWith(QLatin1String("longer.wav")) ? Seconds(2.5 * kLength) : Seconds(kLength);
     contents.told = toldByFile;
     contents.recorded = recorded;
     contents.wallMs = wallMs;

@@ -41,6 +41,16 @@ void AnalyseView::setWhole(Seconds length, Hertz top) {
   emit changed();
 }
 
+void AnalyseView::setLength(Seconds length) {
+  const Instant end = first_ + toDuration(length);
+  if (!whole_ || end == newest_) return;
+  newest_ = end;
+  longest_ = std::max(length, kShortest);
+  options_.span = following_ ? longest_ : std::min(options_.span, longest_);
+  to_ = std::clamp(to_, std::min(first_ + toDuration(options_.span), newest_), newest_);
+  emit changed();
+}
+
 void AnalyseView::follow() {
   if (following_) return;
   following_ = true;

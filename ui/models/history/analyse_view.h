@@ -44,6 +44,9 @@ class AnalyseView : public QObject {
   // The same of a recording that is complete: all of it is shown, a picture that follows shows all, and any stretch of
   // it can be shown at once.
   void setWhole(Seconds length, Hertz top);
+  // It has become longer or shorter, as of a second one beside it: what shows all of it goes on to, and else the
+  // stretch on show stays, as far as there is any.
+  void setLength(Seconds length);
   Instant first() const { return first_; }
   Instant newest() const { return newest_; }
   Hertz top() const { return top_; }

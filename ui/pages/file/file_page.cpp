@@ -175,6 +175,8 @@ void FilePage::refresh() {
     view_.setWhole(file->length, file->rate * 0.5);
     judgedShown_ = false;
   }
+  const auto other = controller_->contents(kBeside);
+  if (file) view_.setLength(other ? std::max(file->length, other->length) : file->length);
   for (const auto place : {kMain, kBeside}) showTold(place);
   if (!file && shown_) view_.restart();
   shown_ = file;
@@ -292,8 +294,10 @@ void FilePage::askSpectra(FileController::Place place) {
   request.length = look.length;
   request.window = look.window;
   request.overlap = look.overlap;
-  request.from = std::max(sinceEpoch(view_.from()), Seconds());
   request.to = std::min(sinceEpoch(view_.to()), file->length);
+  request.from = std::max(sinceEpoch(view_.from()), Seconds());
+  // Where only the other one has anything, the spectrum is that of its end.
+  if (request.from >= request.to) request.from = std::max(request.to - view_.options().span, Seconds());
   request.columns = std::max(map_->plotRect().width(), 200);
   if (request == asked_[place] && file.get() == askedOf_[place]) return;
   asked_[place] = request;
