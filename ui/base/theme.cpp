@@ -163,6 +163,8 @@ Theme makeTheme(ThemeKind kind, double scale, TextSize text) {
 }
 
 double scaleForSize(int width, int height) {
+  constexpr double kSmallest = 0.8;  // an old panel of 1024 x 768: nobody reads what has to be moved sideways
+  if (width < 1280) return std::max(kSmallest, width / 1280.0);
   const double fit = std::min(width / 1280.0, height / 800.0);
   return std::clamp(std::floor(fit * 4.0) / 4.0, 1.0, 3.0);
 }

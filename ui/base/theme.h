@@ -43,7 +43,8 @@ struct Theme {
 };
 
 Theme makeTheme(ThemeKind kind, double scale, TextSize text = TextSize::Normal);
-// The steps a window of this size gets: 1 for 1280 x 800, 1.25 for 1920 x 1080, 2.5 for 3840 x 2160.
+// The steps a window of this size gets: 0.8 for 1024 x 768, 1 for 1280 x 800, 1.25 for 1920 x 1080, 2.5 for 3840 x
+// 2160.
 double scaleForSize(int width, int height);
 
 namespace type_size {

@@ -94,6 +94,32 @@ TEST_P(DesktopFit, WhatCommandsStaysOnTheScreen) {
   }
 }
 
+// An old panel, or a window beside another: pages may be longer there, but nobody moves them sideways.
+TEST_P(DesktopFit, NoPageScrollsSidewaysOnAnOldPanel) {
+  constexpr QSize kOldPanel(1024, 768);
+  window_->resize(kOldPanel);
+  const auto expectNarrow = [&](const QString& name) {
+    settle();
+    EXPECT_EQ(window_->size(), kOldPanel) << name.toStdString() << " makes the window grow";
+    for (const QScrollArea* area : window_->findChildren<QScrollArea*>(QStringLiteral("scroll"))) {
+      EXPECT_FALSE(area->isVisible() && area->horizontalScrollBar()->isVisible())
+          << name.toStdString() << " is too wide: " << area->widget()->minimumSizeHint().width() << " in "
+          << area->width();
+    }
+    picture(QStringLiteral("old-panel-%1").arg(name));
+  };
+  for (const ui::PageEntry& entry : ui::pageTable()) {
+    window_->showPage(QLatin1String(entry.id));
+    expectNarrow(QLatin1String(entry.id));
+  }
+  window_->showPage(QStringLiteral("setup"));
+  for (const char* const tab : {"machine", "limits", "sensors", "tools", "recording", "profile", "guide"}) {
+    QTest::mouseClick(window_->findChild<ui::TouchButton*>(QStringLiteral("setup-") + QLatin1String(tab)),
+                      Qt::LeftButton);
+    expectNarrow(QStringLiteral("setup-") + QLatin1String(tab));
+  }
+}
+
 // With a recording open there is more to say of it, and file names are long.
 TEST_P(DesktopFit, WhatCommandsStaysOnTheScreenBesideAnOpenRecording) {
   const QTemporaryDir folder;

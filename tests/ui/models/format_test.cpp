@@ -126,7 +126,9 @@ TEST_F(UiTest, VerdictIsReadableAtThreeMetres) {
 
 TEST(Theme, GrowsWithTheWindowInSteps) {
   EXPECT_EQ(scaleForSize(1280, 800), 1.0);
-  EXPECT_EQ(scaleForSize(1024, 700), 1.0);
+  EXPECT_EQ(scaleForSize(1024, 768), 0.8) << "narrow: smaller, as pages do not scroll sideways";
+  EXPECT_EQ(scaleForSize(800, 480), 0.8);
+  EXPECT_EQ(scaleForSize(1280, 720), 1.0) << "low: pages scroll";
   EXPECT_EQ(scaleForSize(1920, 1080), 1.25);
   EXPECT_EQ(scaleForSize(3840, 2160), 2.5);
 }

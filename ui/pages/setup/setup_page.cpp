@@ -117,7 +117,14 @@ void SetupPage::showStart() {
 void SetupPage::showTab(int tab) {
   stack_->setCurrentIndex(tab);
   showStart();
-  for (std::size_t k = 0; k < buttons_.size(); ++k) buttons_[k]->setChecked(static_cast<int>(k) == tab);
+  for (std::size_t k = 0; k < buttons_.size(); ++k) {
+    const bool shown = static_cast<int>(k) == tab;
+    buttons_[k]->setChecked(shown);
+    // A tab that has not been on show yet does not know how narrow it can be.
+    QSizePolicy policy = tabs_[k]->sizePolicy();
+    policy.setHorizontalPolicy(shown ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    tabs_[k]->setSizePolicy(policy);
+  }
   emit stateChanged();
 }
 
