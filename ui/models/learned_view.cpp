@@ -83,7 +83,7 @@ QString marginLine(const DepthMargin& margin, UnitSystem units) {
   const double fine = units == UnitSystem::Metric ? 0.1 : 0.01;
   const int decimals = (units == UnitSystem::Metric ? 1 : 2) + (high < 3.0 * fine ? 1 : 0);
   const auto shown = [&](double length) { return number(std::max(0.0, length), decimals); };
-  if (rise < 0.5 * std::pow(10.0, -decimals)) return Learned::tr("No deeper: this cut is close to its limit");
+  if (rise < 0.5 * fine) return Learned::tr("No deeper: this cut is close to its limit");
   return Learned::tr("Depth could rise by about %1 (%2 to %3)")
       .arg(join(shown(rise), lengthUnit(units)), shown(lengthIn(margin.low, units)), shown(high));
 }
