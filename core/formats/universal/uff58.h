@@ -28,7 +28,8 @@ enum class Uff58Function : int {
   FrequencyResponse = 4,
   Transmissibility = 5,
   Coherence = 6,
-  PowerSpectralDensity = 9
+  PowerSpectralDensity = 9,
+  Spectrum = 12
 };
 
 // Specific data type of an axis, records 8 to 11 field 1; others are kept as their number.

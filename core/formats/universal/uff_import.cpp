@@ -82,9 +82,34 @@ RecordedChannel channelOf(const Uff58Header& header, int dataset) {
   return channel;
 }
 
+// Some programs call whatever they write a time response: frequencies below it say what it is.
 bool isTimeResponse(const Uff58Header& header) {
-  return header.function == uff::Uff58Function::TimeResponse ||
+  const bool overTime = header.abscissa.quantity != Uff58Quantity::Frequency;
+  return (header.function == uff::Uff58Function::TimeResponse && overTime) ||
          (header.function == uff::Uff58Function::General && header.abscissa.quantity == Uff58Quantity::Time);
+}
+
+bool isFrequencyResponse(const Uff58Header& header) {
+  return header.function == uff::Uff58Function::FrequencyResponse ||
+         header.function == uff::Uff58Function::Transmissibility;
+}
+
+// What it holds, where that is no time response.
+Message functionOf(const Uff58Header& header) {
+  if (isFrequencyResponse(header)) return message("a frequency response");
+  switch (header.function) {
+    case uff::Uff58Function::AutoSpectrum:
+    case uff::Uff58Function::CrossSpectrum:
+    case uff::Uff58Function::PowerSpectralDensity:
+    case uff::Uff58Function::Spectrum:
+      return message("a spectrum");
+    case uff::Uff58Function::Coherence:
+      return message("a coherence");
+    default:
+      return header.abscissa.quantity == Uff58Quantity::Frequency
+                 ? message("a spectrum")
+                 : message("a function of type %1", std::to_string(static_cast<int>(header.function)));
+  }
 }
 
 // One unit of the last digit of a number written with six.
@@ -152,8 +177,14 @@ Result<double> rateOfAbscissae(const std::string& path, const Uff58Cursor::Place
   return wholeRate(1.0 / (step * toSeconds), relative);
 }
 
-// Every time response of the file, each read to its end; other functions by name in `skipped`.
-Result<std::vector<UffChannel>> listChannels(const std::string& path, std::vector<std::string>& skipped) {
+// What else than time responses a file holds.
+struct OtherFunctions {
+  std::vector<std::pair<std::string, Message>> all;  // name, what it is
+  bool anyResponse = false;                          // one over frequency
+};
+
+// Every time response of the file, each read to its end.
+Result<std::vector<UffChannel>> listChannels(const std::string& path, OtherFunctions& others) {
   Result<uff::ByteWindow> window = uff::ByteWindow::open(path);
   if (!window) return window.error();
   Uff58Cursor cursor(std::move(*window), path);
@@ -172,7 +203,8 @@ Result<std::vector<UffChannel>> listChannels(const std::string& path, std::vecto
     if (!read) return read.error();
     const Uff58Header& header = found.place.header;
     if (!isTimeResponse(header)) {
-      skipped.push_back(found.channel.info.name);
+      others.all.emplace_back(found.channel.info.name, functionOf(header));
+      others.anyResponse = others.anyResponse || isFrequencyResponse(header);
       continue;
     }
     found.rate = rateOf(header.increment * secondsPerUnit(header));
@@ -203,18 +235,23 @@ const UffChannel& mostNumbers(const std::vector<UffChannel>& all) {
   return *best;
 }
 
+Error noRecording(const std::string& path, const OtherFunctions& others) {
+  if (others.all.empty()) return {path, message("holds no time recording"), message("no dataset 58 in it")};
+  return {path, message("is no recording: it holds %1", others.all.front().second),
+          others.anyResponse ? message("'stillcut-cli modal' and the page Tap test read it")
+                             : message("export the samples over time that it was made of")};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openUff(const std::string& path, const ReadOptions& options) {
   RecordingFormat format;
   format.kind = "universal file, dataset 58";
-  Result<std::vector<UffChannel>> found = listChannels(path, format.skipped);
+  OtherFunctions others;
+  Result<std::vector<UffChannel>> found = listChannels(path, others);
   if (!found) return found.error();
-  if (found->empty()) {
-    const Message others = message("%1 datasets 58 hold other functions", format.skipped.size());
-    return Error{path, message("holds no time recording"),
-                 format.skipped.empty() ? message("no dataset 58 in it") : others};
-  }
+  if (found->empty()) return noRecording(path, others);
+  for (auto& [name, what] : others.all) leaveOut(format, std::move(name), message("it holds %1", what));
   const UffChannel& chosen = mostNumbers(*found);
   format.frames = chosen.frames();
   format.rate = Hertz(chosen.rate);
@@ -222,7 +259,7 @@ Result<std::unique_ptr<RecordingReader>> openUff(const std::string& path, const 
   std::vector<ColumnChannel> all;
   for (const UffChannel& one : *found) {
     if (one.frames() != chosen.frames() || one.rate != chosen.rate) {
-      format.skipped.push_back(one.channel.info.name);
+      leaveOut(format, one.channel.info.name, message("it has another rate or length"));
       format.notes.push_back(
           message("channel '%1' is left out: %2 beside %3", one.channel.info.name, one.size(), chosen.size()));
       continue;

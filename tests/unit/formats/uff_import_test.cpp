@@ -47,12 +47,34 @@ TEST(UffImport, ChannelsComeFromEveryFormWhateverTheLength) {
     EXPECT_EQ(all.format.channels[0].info.quantity, SensorQuantity::Acceleration);
     EXPECT_DOUBLE_EQ(all.format.channels[1].info.scale, 9.80665);
     EXPECT_THAT(all.format.skipped, testing::ElementsAre("FRF"));
+    EXPECT_EQ(text(all.format.skippedWhy.at(0)), "it holds a frequency response");
     ASSERT_EQ(all.values[1].size(), std::size_t{kPoints});
     for (std::size_t i = 0; i < kPoints; ++i) {
       ASSERT_NEAR(all.values[0][i], 9.80665 * one.y[i].real(), 1e-4) << i;  // six digits
       ASSERT_NEAR(all.values[1][i], 9.80665 * two.y[i].real(), 1e-4) << i;
     }
   }
+}
+
+TEST(UffImport, WhatIsNoRecordingSaysWhatItIsAndWhereItGoes) {
+  const TempFolder folder;
+  uff::Uff58Dataset set = channel("x", 5, 1.0, 1);
+  const auto refusal = [&](uff::Uff58Function function, uff::Uff58Quantity abscissa) {
+    set.function = function;
+    set.abscissa.quantity = abscissa;
+    return readAll(folder.file("x.uff", test::uffDataset(set, Uff58Form::Ascii))).error;
+  };
+  const auto frf = refusal(uff::Uff58Function::FrequencyResponse, uff::Uff58Quantity::Frequency);
+  EXPECT_THAT(frf, HasSubstr("is no recording: it holds a frequency response"));
+  EXPECT_THAT(frf, HasSubstr("stillcut-cli modal"));
+  for (const auto function : {uff::Uff58Function::AutoSpectrum, uff::Uff58Function::PowerSpectralDensity,
+                              uff::Uff58Function::Spectrum, uff::Uff58Function::General}) {
+    const auto spectrum = refusal(function, uff::Uff58Quantity::Frequency);
+    EXPECT_THAT(spectrum, HasSubstr("it holds a spectrum (export the samples over time"));
+  }
+  EXPECT_THAT(refusal(uff::Uff58Function::TimeResponse, uff::Uff58Quantity::Frequency), HasSubstr("holds a spectrum"))
+      << "over frequencies it is none of time, whatever it is called";
+  EXPECT_THAT(refusal(uff::Uff58Function::General, uff::Uff58Quantity::Unknown), HasSubstr("a function of type 0"));
 }
 
 TEST(UffImport, OfSeveralRatesThatWithMostNumbersIsReadAndTheOthersAreNamed) {
