@@ -6,6 +6,8 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "core/formats/tdms/tdms_index.h"
@@ -19,21 +21,15 @@ struct Scale {
   double slope = 1.0, offset = 0.0;
 };
 
-class TdmsColumn final : public Column {
+// The values of a channel one after the other, as their bits.
+class TdmsValues {
  public:
-  TdmsColumn(const std::string& path, TdmsChannel channel, Scale scale)
-      : path_(path), file_(path, std::ios::binary), channel_(std::move(channel)), scale_(scale) {}
+  TdmsValues(const std::string& path, TdmsChannel channel)
+      : path_(path), file_(path, std::ios::binary), channel_(std::move(channel)) {}
 
-  Status read(std::span<double> out) override {
-    for (double& value : out) {
-      if (Status s = next(value); !s) return s;
-      value = scale_.slope * value + scale_.offset;
-    }
-    return Done{};
-  }
-
- private:
-  Status next(double& value) {
+  TdmsType type() const { return channel_.type; }
+  // Of a time `low` is its fraction and `high` its seconds; of a number `low` is all of it.
+  Status next(std::uint64_t& low, std::uint64_t& high) {
     while (run_ < channel_.runs.size() && done_ == channel_.runs[run_].count) {
       ++run_;
       done_ = 0;
@@ -45,13 +41,20 @@ class TdmsColumn final : public Column {
     if (at < begin_ || at + size > begin_ + buffer_.size()) {
       if (!fill(at, run)) return early();
     }
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < size; ++i)
-      bits = bits << 8U | buffer_[static_cast<std::size_t>(at - begin_) + (run.bigEndian ? i : size - 1 - i)];
-    value = tdmsNumber(bits, channel_.type);
+    const std::span<const unsigned char> bytes =
+        std::span(buffer_).subspan(static_cast<std::size_t>(at - begin_), size);
+    const std::size_t half = std::min(size, sizeof low);
+    low = high = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      // From the most significant on, which lies first or last.
+      std::uint64_t& word = i < size - half ? high : low;
+      word = word << 8U | bytes[run.bigEndian ? i : size - 1 - i];
+    }
     ++done_;
     return Done{};
   }
+
+ private:
   bool fill(std::uint64_t at, const TdmsRun& run) {
     constexpr std::uint64_t kAtOnce = std::uint64_t{256} << 10U;
     const std::uint64_t left = (run.count - done_ - 1) * run.stride + sizeOf(channel_.type);
@@ -67,11 +70,58 @@ class TdmsColumn final : public Column {
   std::string path_;
   std::ifstream file_;
   TdmsChannel channel_;
-  Scale scale_;
   std::size_t run_ = 0;
   std::uint64_t done_ = 0;   // values of the run
   std::uint64_t begin_ = 0;  // of the buffer, in the file
   std::vector<unsigned char> buffer_;
+};
+
+class TdmsColumn final : public Column {
+ public:
+  TdmsColumn(const std::string& path, TdmsChannel channel, Scale scale)
+      : values_(path, std::move(channel)), scale_(scale) {}
+
+  Status read(std::span<double> out) override {
+    std::uint64_t bits = 0, none = 0;
+    for (double& value : out) {
+      if (Status s = values_.next(bits, none); !s) return s;
+      value = scale_.slope * tdmsNumber(bits, values_.type()) + scale_.offset;
+    }
+    return Done{};
+  }
+
+ private:
+  TdmsValues values_;
+  Scale scale_;
+};
+
+// Time stamps as seconds from the first.
+class TdmsTimes final : public Column {
+ public:
+  TdmsTimes(const std::string& path, TdmsChannel channel) : path_(path), values_(path, std::move(channel)) {}
+
+  Status read(std::span<double> out) override {
+    for (double& value : out) {
+      const Result<std::int64_t> ns = next();
+      if (!ns) return ns.error();
+      if (!first_) first_ = *ns;
+      value = static_cast<double>(*ns - *first_) * 1e-9;
+    }
+    return Done{};
+  }
+  // ns since 1970 UTC.
+  Result<std::int64_t> next() {
+    std::uint64_t fraction = 0, seconds = 0;
+    if (const Status s = values_.next(fraction, seconds); !s) return s.error();
+    const std::optional<std::int64_t> ns = tdmsTime(static_cast<std::int64_t>(seconds), fraction);
+    if (!ns) return Error{path_, message("holds a time stamp that makes no sense"), message("a damaged file")};
+    return *ns;
+  }
+
+ private:
+  std::string path_;
+  TdmsValues values_;
+  std::optional<std::int64_t> first_;
 };
 
 const std::string& textAt(const TdmsChannel& c, const std::string& key) {
@@ -91,6 +141,14 @@ Result<Scale> scaleOf(const TdmsChannel& c, const std::string& path) {
     return Scale{slope->second, offset->second};
   return Error{path, message("'%1' is raw, with a scale that is no straight line", cleanName(c.name)),
                message("export it scaled, or as CSV")};
+}
+
+// When its first value was taken, ns since 1970 UTC; 0: not said.
+std::int64_t startOf(const TdmsChannel& c) {
+  const auto offset = c.numbers.find("wf_start_offset");
+  constexpr double kDay = 86'400.0;  // [s] offsets beyond make no sense
+  const bool told = c.started_ns != 0 && offset != c.numbers.end() && std::abs(offset->second) <= kDay;
+  return told ? c.started_ns + std::llround(offset->second * 1e9) : c.started_ns;
 }
 
 double incrementOf(const TdmsChannel& c) {
@@ -115,12 +173,31 @@ double usualIncrement(const std::vector<TdmsChannel>& channels) {
   return usual;
 }
 
+// A channel of time stamps beside the samples: when each was taken.
+Status takeTimes(const TdmsChannel& c, const std::string& path, FileContents& contents) {
+  if (contents.started_ns == 0) {
+    const Result<std::int64_t> first = TdmsTimes(path, c).next();
+    if (!first) return first.error();
+    contents.started_ns = *first;
+  }
+  FileArray array;
+  array.name = cleanName(c.name);
+  array.frames = static_cast<std::int64_t>(c.values);
+  array.unit = "s";
+  array.open = [path, c](int) -> Result<std::unique_ptr<Column>> {
+    return std::unique_ptr<Column>(new TdmsTimes(path, c));
+  };
+  contents.arrays.push_back(std::move(array));
+  return Done{};
+}
+
 bool isNumber(TdmsType type) {
   return sizeOf(type) > 0 && type != TdmsType::TimeStamp;
 }
 
 Status takeChannel(const TdmsChannel& c, const std::string& path, double increment, FileContents& contents) {
   const std::string name = cleanName(c.name);
+  if (c.type == TdmsType::TimeStamp && c.values >= 2) return takeTimes(c, path, contents);
   const bool otherRate = incrementOf(c) > 0.0 && incrementOf(c) != increment;
   if (!isNumber(c.type) || c.values < 2 || otherRate) {
     contents.skipped.push_back(name);
@@ -182,7 +259,7 @@ Result<std::unique_ptr<RecordingReader>> openTdms(const std::string& path, const
   for (const TdmsChannel& c : index->above) takeRates(c, contents);
   contents.started_ns = index->started_ns;
   for (const TdmsChannel& c : wanted) {
-    if (c.started_ns != 0 && incrementOf(c) == increment) contents.started_ns = c.started_ns;
+    if (c.started_ns != 0 && incrementOf(c) == increment) contents.started_ns = startOf(c);
   }
   for (const TdmsChannel& c : wanted) {
     if (const Status s = takeChannel(c, path, increment, contents); !s) return s.error();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +20,6 @@ constexpr std::uint64_t kUnfinished = ~std::uint64_t{0};
 constexpr std::uint64_t kMostHeader = std::uint64_t{64} << 20U, kMostSegments = 4'000'000;
 constexpr std::uint64_t kMostRuns = 20'000'000;  // of all channels
 constexpr std::uint32_t kMostObjects = 100'000, kLongestText = 1U << 20U;
-constexpr std::int64_t k1904 = -2'082'844'800;  // [s] the format's epoch, since 1970
 
 Error damaged(const std::string& path) {
   return Error{path, message("is a damaged TDMS file"), message("a header makes no sense")};
@@ -230,12 +228,10 @@ class Indexer {
   void takeTime(Bytes& bytes, Object& object, const std::string& name) {
     const std::uint64_t fraction = bytes.whole(8);
     const auto seconds = static_cast<std::int64_t>(bytes.whole(8));
-    constexpr std::int64_t kFar = 10'000'000'000;  // [s] some 300 years
-    if (seconds < -kFar || seconds > kFar) return;
-    const std::int64_t ns = (seconds + k1904) * 1'000'000'000 +
-                            static_cast<std::int64_t>(std::ldexp(static_cast<double>(fraction), -64) * 1e9);
-    if (name == "wf_start_time") object.channel.started_ns = ns;
-    if (index_.started_ns == 0 && ns > 0) index_.started_ns = ns;
+    const std::optional<std::int64_t> ns = tdmsTime(seconds, fraction);
+    if (!ns) return;
+    if (name == "wf_start_time") object.channel.started_ns = *ns;
+    if (index_.started_ns == 0 && *ns > 0) index_.started_ns = *ns;
   }
 
   // A segment holds as many chunks as its length has room for; the last may be cut off.

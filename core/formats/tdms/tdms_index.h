@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct TdmsRun {
   std::uint64_t stride = 0;  // [bytes] from one to the next
   bool bigEndian = false;
 };
+
+// ns since 1970 UTC of seconds since 1904 and so many 2^-64 of one; empty: centuries off.
+std::optional<std::int64_t> tdmsTime(std::int64_t seconds, std::uint64_t fraction);
 
 struct TdmsChannel {
   std::string group, name;

@@ -1,4 +1,5 @@
 #include <bit>
+#include <cmath>
 
 #include "core/formats/tdms/tdms_index.h"
 
@@ -29,6 +30,14 @@ std::size_t sizeOf(TdmsType type) {
       break;
   }
   return 0;
+}
+
+std::optional<std::int64_t> tdmsTime(std::int64_t seconds, std::uint64_t fraction) {
+  constexpr std::int64_t k1904 = -2'082'844'800;  // [s] the format's epoch, since 1970
+  constexpr std::int64_t kFar = 9'000'000'000;    // [s] some 285 years
+  if (seconds < -kFar || seconds > kFar) return std::nullopt;
+  return (seconds + k1904) * 1'000'000'000 +
+         static_cast<std::int64_t>(std::ldexp(static_cast<double>(fraction), -64) * 1e9);
 }
 
 double tdmsNumber(std::uint64_t bits, TdmsType type) {

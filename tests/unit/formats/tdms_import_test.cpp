@@ -165,6 +165,44 @@ TEST_F(Tdms, AChannelIsScaledByItsStraightLine) {
   EXPECT_THAT(read(segment(kMeta | kNew | kRaw, header({x}), data)).error, HasSubstr("no straight line"));
 }
 
+// Fractions of 2^-64 s, then seconds since 1904, in either order of bytes.
+std::string stamps(int count, double step, bool big) {
+  Writer w{big};
+  for (int i = 0; i < count; ++i) {
+    const double seconds = i * step;
+    const auto whole = static_cast<std::int64_t>(seconds);
+    const auto fraction = static_cast<std::uint64_t>(std::ldexp(seconds - static_cast<double>(whole), 64));
+    if (big) {
+      w.put(3'850'000'000 + whole).put(fraction);
+    } else {
+      w.put(fraction).put(3'850'000'000 + whole);
+    }
+  }
+  return w.out;
+}
+
+TEST_F(Tdms, AChannelOfTimeStampsIsTheTimeAndNoVibration) {
+  for (const bool big : {false, true}) {
+    const std::string head = header({{"/'G'/'when'", 0x44, 5000}, {"/'G'/'x'", 10, 5000}}, big);
+    const WholeRecording all = read(
+        segment(kMeta | kNew | kRaw | (big ? kBig : 0), head, stamps(5000, 5e-4, big) + numbers<double>(0, 5000, big)));
+    ASSERT_EQ(all.error, "");
+    ASSERT_EQ(all.format.channels.size(), 1U);
+    EXPECT_EQ(all.format.channels[0].info.name, "x");
+    EXPECT_EQ(all.format.rate.value, 2000.0);
+    EXPECT_EQ(all.format.started_ns, (3'850'000'000 - 2'082'844'800) * 1'000'000'000);
+    EXPECT_TRUE(all.format.notes.empty());
+    EXPECT_EQ(all.values[0][4999], 4999.0);
+  }
+}
+
+TEST_F(Tdms, TheFirstSampleMayComeAfterTheStart) {
+  Object x{"/'G'/'x'", 10, 100, wave(1e-3)};
+  x.properties.push_back({"wf_start_offset", "", 2.25});
+  const WholeRecording all = read(segment(kMeta | kNew | kRaw, header({x}), numbers<double>(0, 100)));
+  EXPECT_EQ(all.format.started_ns, (3'850'000'000 - 2'082'844'800) * 1'000'000'000 + 2'750'000'000);
+}
+
 TEST_F(Tdms, APlaceInsideIsOneGroup) {
   const std::string bytes =
       segment(kMeta | kNew | kRaw, header({{"/'a'/'x'", 10, 100, wave(1e-3)}, {"/'b'/'it''s'", 10, 100, wave(1e-2)}}),
