@@ -10,6 +10,7 @@
 #include "app/cli/command.h"
 #include "app/cli/json_line.h"
 #include "app/cli/out_path.h"
+#include "app/cli/reading_options.h"
 #include "core/active/lms.h"
 #include "core/active/stability_margin.h"
 #include "core/session/open_recording.h"
@@ -23,6 +24,7 @@ struct PathCommand {
   std::string file, out;
   int output = 0, reading = 1;
   double rate = 0.0;
+  std::string timeUnit;
   std::vector<double> quieten;
   active::PathRequest request;
   int taps = 35;
@@ -38,6 +40,7 @@ Result<Signals> readSignals(const PathCommand& command) {
   record::ReadOptions options;
   options.channels = {command.output, command.reading};
   if (command.rate > 0.0) options.rate = Hertz(command.rate);
+  options.secondsPerTime = secondsOfTimeUnit(command.timeUnit);
   auto reader = record::openRecording(command.file, options);
   if (!reader) return reader.error();
   const record::RecordingFormat& format = (*reader)->format();
@@ -129,6 +132,7 @@ void addPath(CLI::App& app, int& exitCode) {
   sub->add_option("--output", c->output, "Channel of what was written, from 0")->check(CLI::NonNegativeNumber);
   sub->add_option("--reading", c->reading, "Channel of the sensor, from 0")->check(CLI::NonNegativeNumber);
   sub->add_option("--rate", c->rate, "Sampling rate of a text file without times [Hz]")->check(CLI::PositiveNumber);
+  addTimeUnit(*sub, c->timeUnit);
   sub->add_flag("--sweep", c->request.sweep, "A sweep was written, and no noise");
   sub->add_option("--taps", c->taps, "Taps of each part of the recursive model")
       ->check(CLI::Range(1, active::kMostTaps));

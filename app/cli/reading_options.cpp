@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/config/nearest_word.h"
 
@@ -24,10 +25,23 @@ Result<SensorQuantity> quantityFrom(const std::string& text) {
 
 }  // namespace
 
+void addTimeUnit(CLI::App& command, std::string& unit) {
+  command.add_option("--time-unit", unit, "Unit of times that a file has as numbers: s, ms, us, ns")
+      ->check(CLI::IsMember({"s", "ms", "us", "ns"}));
+}
+
+std::optional<double> secondsOfTimeUnit(const std::string& unit) {
+  for (const auto& [name, seconds] : {std::pair{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}) {
+    if (unit == name) return seconds;
+  }
+  return std::nullopt;
+}
+
 void ReadingOptions::add(CLI::App& command) {
   command.add_option("--quantity", quantity_, "acceleration, velocity, displacement, sound, force, current or speed");
   command.add_option("--channel", channels_, "Channels, counted from 0: N[,N]")->delimiter(',');
   rateGiven_ = command.add_option("--rate", rate_, "Sampling rate of a text file without times [Hz]");
+  addTimeUnit(command, timeUnit_);
   scaleGiven_ = command.add_option("--scale", scale_, "SI units per full scale or per unit of the file");
 }
 
@@ -39,6 +53,7 @@ Result<record::ReadOptions> ReadingOptions::understand() const {
     }
     options.rate = Hertz(rate_);
   }
+  options.secondsPerTime = secondsOfTimeUnit(timeUnit_);
   if (scaleGiven_->count() > 0) {
     if (!std::isfinite(scale_) || scale_ == 0.0) {
       return Error{"--scale", message("the scale must be a number other than zero")};

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "app/cli/reading_options.h"
 #include "core/session/open_recording.h"
 
 namespace stillcut::app {
@@ -38,6 +39,7 @@ void TapOptions::add(CLI::App& command) {
   command.add_option("--response-sensitivity", import.responseSensitivity,
                      "Of a response in volts: 100mV/g, 10.2mV/(m/s^2)");
   command.add_option("--rate", rate_, "Sampling rate of a recording that does not say it [Hz]");
+  addTimeUnit(command, timeUnit_);
   HammerOptions& hammer = request_.hammer;
   command.add_flag("--flip", hammer.flipResponse, "The response points against the force");
   command.add_flag("--flip-force", hammer.flipForce, "The force channel counts a push as negative");
@@ -73,6 +75,7 @@ Result<ModalRequest> TapOptions::understand() const {
   if (quantity_ == "accelerance") request.import.quantity = FrfQuantity::Accelerance;
   if (dataset_ >= 0) request.import.dataset = static_cast<std::size_t>(dataset_);
   if (rate_ > 0.0) request.import.rate = Hertz(rate_);
+  request.import.secondsPerTime = secondsOfTimeUnit(timeUnit_);
   request.hammer.forceWindow = 1e-3 * forceWindowMs_;
   request.hammer.estimate = estimate_ == "h2" ? FrfEstimate::H2 : FrfEstimate::H1;
   request.import.open = [](const std::string& path, const record::ReadOptions& options) {

@@ -23,6 +23,7 @@ class TapOptions {
   double scale_ = 0.0;  // 0: the file's
   double forceWindowMs_ = 0.0;
   double rate_ = 0.0;
+  std::string timeUnit_;
   long dataset_ = -1;
 };
 

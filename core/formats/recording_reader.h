@@ -19,6 +19,7 @@ namespace stillcut::record {
 // What the person who opens a recording knows better than the file.
 struct ReadOptions {
   std::optional<Hertz> rate;               // text without a usable time column; ignored where the file has its own
+  std::optional<double> secondsPerTime;    // of times in numbers, instead of the unit that the file says or does not
   std::optional<SensorQuantity> quantity;  // of every channel
   std::vector<int> channels;               // which ones, counted from 0; empty: all
   std::optional<double> scale;             // SI units per unit of the file, instead of what its header says

@@ -9,6 +9,7 @@
 
 #include "core/formats/sensor_notes.h"
 #include "core/formats/text/text_cells.h"
+#include "core/formats/time_unit.h"
 #include "core/formats/utf_text.h"
 #include "core/units/time_names.h"
 #include "core/units/unit_names.h"
@@ -106,7 +107,8 @@ struct TimesRate {
 };
 
 // Seconds per unit; nothing: neither a unit, nor one in its name, nor a time since 1970.
-Result<std::optional<double>> unitOfTimes(const FileArray& times) {
+Result<std::optional<double>> unitOfTimes(const FileArray& times, const ReadOptions& options) {
+  if (options.secondsPerTime) return options.secondsPerTime;
   NameAndUnit both = splitNameAndUnit(times.name);
   if (!times.unit.empty()) both.unit = times.unit;
   if (both.unit.empty()) both.unit = timeUnitInName(times.name);
@@ -120,8 +122,8 @@ Result<std::optional<double>> unitOfTimes(const FileArray& times) {
 }
 
 // Reads the whole column: one bad step and the times are no times.
-Result<TimesRate> rateFromTimes(const FileArray& times, const std::string& path) {
-  const Result<std::optional<double>> unit = unitOfTimes(times);
+Result<TimesRate> rateFromTimes(const FileArray& times, const ReadOptions& options, const std::string& path) {
+  const Result<std::optional<double>> unit = unitOfTimes(times, options);
   if (!unit) return unit.error();
   Result<std::unique_ptr<Column>> column = times.open(0);
   if (!column) return column.error();
@@ -170,16 +172,16 @@ FileArray firstColumn(const FileArray& array) {
 // Rate of a first column that grows in even steps below a second, which fits the rate that the file states, if it does;
 // nothing: it is a channel like the others.
 std::optional<TimesRate> rateOfFirstColumn(const FileArray& array, std::optional<double> stated,
-                                           const std::string& path) {
+                                           const ReadOptions& options, const std::string& path) {
   constexpr double kApart = 0.01;
   constexpr std::int64_t kFewest = 8;
   if (array.columns < 2 || array.frames < kFewest) return std::nullopt;
   FileArray first = firstColumn(array);
   constexpr std::int64_t kGlance = 1000;  // most signals show here that they are no times
   first.frames = std::min(array.frames, kGlance);
-  if (!rateFromTimes(first, path)) return std::nullopt;
+  if (!rateFromTimes(first, options, path)) return std::nullopt;
   first.frames = array.frames;
-  const Result<TimesRate> rate = rateFromTimes(first, path);
+  const Result<TimesRate> rate = rateFromTimes(first, options, path);
   if (!rate || !(rate->hertz > 1.0)) return std::nullopt;
   if (stated && std::abs(rate->hertz - *stated) > kApart * *stated) return std::nullopt;
   return *rate;
@@ -205,13 +207,12 @@ bool isNoSignal(const FileArray& array) {
 }
 
 // The time of a file whose rate nothing else tells.
-Status takeTimes(const FileArray& array, const std::string& path, std::optional<double>& rate,
+Status takeTimes(const std::string& name, const TimesRate& found, const std::string& path, std::optional<double>& rate,
                  RecordingFormat& format) {
-  const Result<TimesRate> found = rateFromTimes(array, path);
-  if (!found) return found.error();
-  rate = found->hertz;
-  if (found->assumed) format.notes.push_back(secondsAssumed(array.name));
-  return Done{};
+  rate = found.hertz;
+  if (!found.assumed) return Done{};
+  format.notes.push_back(secondsAssumed(name));
+  return checkAssumedSeconds(path + ": '" + name + "'", 1.0 / found.hertz);
 }
 
 }  // namespace
@@ -254,7 +255,9 @@ Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const
   for (const FileArray& array : contents.arrays) {
     const bool time = array.frames == format.frames && isTime(array);
     if (time && !rate) {
-      if (const Status s = takeTimes(array, contents.path, rate, format); !s) return s.error();
+      const Result<TimesRate> found = rateFromTimes(array, options, contents.path);
+      if (!found) return found.error();
+      if (const Status s = takeTimes(array.name, *found, contents.path, rate, format); !s) return s.error();
     }
     if (time) continue;
     if (array.frames != format.frames) {
@@ -266,10 +269,9 @@ Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const
       leaveOut(format, array.name, message("its name or its unit says that it is no vibration"));
       continue;
     }
-    const std::optional<TimesRate> times = rateOfFirstColumn(array, stated, contents.path);
+    const std::optional<TimesRate> times = rateOfFirstColumn(array, stated, options, contents.path);
     if (times && !rate) {
-      rate = times->hertz;
-      if (times->assumed) format.notes.push_back(secondsAssumed(array.name + " 0"));
+      if (const Status s = takeTimes(array.name + " 0", *times, contents.path, rate, format); !s) return s.error();
     }
     if (times) leaveOut(format, array.name + " 0", message("it holds times"));
     for (int c = times ? 1 : 0; c < array.columns; ++c) {

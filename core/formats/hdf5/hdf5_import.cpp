@@ -10,6 +10,7 @@
 #include "core/formats/sensor_notes.h"
 #include "core/formats/variable_channels.h"
 #include "core/storage/hdf5_file.h"
+#include "core/units/time_names.h"
 
 namespace stillcut::record {
 namespace {
@@ -129,12 +130,14 @@ Error several(const std::string& path, const std::vector<Hdf5Array>& arrays) {
                message("name one of them or their folder: %1", names)};
 }
 
+Error tableOfRecords(const std::string& path, const std::string& table) {
+  return Error{path, message("'%1' is a table of records, which is not read", table),
+               message("save each of its columns as a data set of its own")};
+}
+
 Result<std::string> placeOf(const std::string& path, const Hdf5Listing& listing) {
   const std::vector<Hdf5Array>& arrays = listing.arrays;
-  if (arrays.empty() && !listing.table.empty()) {
-    return Error{path, message("'%1' is a table of records, which is not read", listing.table),
-                 message("save each of its columns as a data set of its own")};
-  }
+  if (arrays.empty() && !listing.table.empty()) return tableOfRecords(path, listing.table);
   if (arrays.empty() && !listing.deep.empty()) {
     return Error{path, message("'%1' has more than two dimensions", listing.deep),
                  message("save samples by channels, one block behind the other")};
@@ -212,6 +215,10 @@ Result<std::unique_ptr<RecordingReader>> openHdf5(const std::string& path, const
   contents.texts = listing->texts;
   if (const Status s = takeRateOfSets(file->get(), listing->arrays, contents); !s) return s.error();
   takeRateOfFolders(file->get(), place, contents);
+  const bool onlyTimes = std::all_of(listing->arrays.begin(), listing->arrays.end(), [](const Hdf5Array& array) {
+    return array.columns == 1 && isTimeName(lastWord(array.path));
+  });
+  if (onlyTimes && !listing->table.empty()) return tableOfRecords(path, listing->table);
   for (const Hdf5Array& array : listing->arrays) {
     FileArray described = describe(file, array, where);
     for (const auto& [name, text] : listing->texts) {

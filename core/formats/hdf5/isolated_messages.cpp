@@ -48,6 +48,7 @@ bool receive(int peer, std::span<std::byte> bytes) noexcept {
 std::string toJson(const ReadOptions& options) {
   Json json = Json::object();
   if (options.rate) json["rate"] = options.rate->value;
+  if (options.secondsPerTime) json["seconds_per_time"] = *options.secondsPerTime;
   if (options.quantity) json["quantity"] = static_cast<int>(*options.quantity);
   if (options.scale) json["scale"] = *options.scale;
   json["channels"] = options.channels;
@@ -58,6 +59,7 @@ ReadOptions optionsFrom(const std::string& json) {
   const Json all = Json::parse(json);
   ReadOptions options;
   if (all.contains("rate")) options.rate = Hertz(all["rate"].get<double>());
+  if (all.contains("seconds_per_time")) options.secondsPerTime = all["seconds_per_time"].get<double>();
   if (all.contains("quantity")) options.quantity = static_cast<SensorQuantity>(all["quantity"].get<int>());
   if (all.contains("scale")) options.scale = all["scale"].get<double>();
   options.channels = all["channels"].get<std::vector<int>>();

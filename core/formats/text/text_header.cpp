@@ -173,8 +173,11 @@ bool isUnnamedRowNumber(std::span<const std::string> lines, std::size_t firstDat
 // Names would stand over the wrong numbers. LabVIEW's column of comments is one that most rows leave out.
 Status checkCount(std::span<const std::string> lines, std::size_t firstData, const Header& header,
                   const TextLayout& layout, const std::string& where) {
-  const auto named = static_cast<std::size_t>(std::count_if(
-      header.names.begin(), header.names.end(), [](std::string_view c) { return !c.empty() && c != "Comment"; }));
+  std::size_t named = 0;
+  for (std::size_t k = 0; k < header.names.size(); ++k) {
+    const bool leftOut = header.names[k] == "Comment" && (k >= layout.columns.size() || layout.columns[k].empty);
+    named += header.names[k].empty() || leftOut ? 0 : 1;
+  }
   const auto filled = static_cast<std::size_t>(
       std::count_if(layout.columns.begin(), layout.columns.end(), [](const TextColumn& c) { return !c.empty; }));
   const auto wrong = [&](Message remedy) {

@@ -39,6 +39,8 @@ struct TextLayout {
   bool timeUnitAssumed = false;         // nothing says that its numbers are seconds
   std::string unknownTimeUnit;          // as the file spells it; empty: none, or known
   std::string otherTime;                // a column of times in other steps than the time column; empty: none
+  std::string frequencies;              // a column of frequencies where times would be; empty: none
+  int dateColumn = -1;                  // of dates beside a time column of times of day; -1: none
   bool days = false;                    // times without a unit that look like days, as spreadsheets count them
   LineForm form;                        // what is done with a line before it is cut into cells
   std::string unclearRate;              // of the header, as it stands there; empty: none, or clear

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/formats/time_unit.h"
 #include "core/formats/utf_text.h"
 
 namespace stillcut::record {
@@ -19,10 +20,16 @@ constexpr double kShortest = 0.5;  // of the rows a column must reach to, or it 
 
 constexpr double kManyRepeats = 10.0;  // one row in so many, or more, has the time of the row before it
 
-constexpr double kLongestStep = 1.001;  // [s] that numbers without a unit are taken to be
-
 Message evenly() {
   return message("give --rate HZ to read the rows as evenly spaced");
+}
+
+// The person at hand knows it, whatever the header says.
+void takeTimeUnit(double secondsPerTime, TextLayout& layout) {
+  if (layout.timeColumn < 0 || layout.timeStamps) return;
+  layout.secondsPerTime = secondsPerTime;
+  layout.timeUnitAssumed = layout.days = false;
+  layout.unknownTimeUnit.clear();
 }
 
 Result<std::vector<std::string>> firstLines(const std::string& path, bool& complete) {
@@ -82,6 +89,7 @@ Result<std::unique_ptr<RecordingReader>> TextReader::open(const std::string& pat
   Result<TextLayout> layout = detectTextLayout(lines.value(), complete, path);
   if (!layout) return layout.error();
   if (layout->columns.size() > kMostColumns) return Error{path, message("has more than 256 columns")};
+  if (options.secondsPerTime) takeTimeUnit(*options.secondsPerTime, *layout);
   Result<TextChannels> channels = chooseTextChannels(*layout, options, path);
   if (!channels) return channels.error();
   std::unique_ptr<TextReader> reader(new TextReader(path, std::move(*layout), std::move(*channels)));
@@ -114,9 +122,13 @@ Status TextReader::checkTime(const ReadOptions& options) {
     return Error{"--rate", message("must be above zero")};
   }
   timed_ = layout_.timeColumn >= 0 && !options.rate;
+  if (!layout_.frequencies.empty() && !options.rate) {
+    return Error{path_, message("is a spectrum and no recording: '%1' holds frequencies", layout_.frequencies),
+                 message("open the samples that it was made of; a frequency response goes into the tap test")};
+  }
   if (timed_ && !layout_.unknownTimeUnit.empty()) {
     return Error{path_, message("the unit '%1' of its time is not known", layout_.unknownTimeUnit),
-                 message("write s, ms, us or ns, or give --rate HZ")};
+                 message("say --time-unit s, ms, us or ns, or give --rate HZ")};
   }
   if (timed_ && layout_.days) {
     return Error{path_, message("its time seems to be in days, as spreadsheets count them"),
@@ -263,11 +275,8 @@ Status TextReader::settleRate(const ReadOptions& options) {
     return Error{path_, message("the sampling rate is not known: there is no time column"),
                  message("give it with --rate HZ")};
   }
-  if (timed_ && layout_.timeUnitAssumed && step_ > kLongestStep) {
-    return Error{path_, message("its time has no unit and steps of %1", shortNumber(step_)),
-                 message("write s, ms, us or ns behind its name, or give --rate HZ")};
-  }
   if (timed_ && layout_.timeUnitAssumed) {
+    if (Status clear = checkAssumedSeconds(path_, 1.0 / format_.rate.value); !clear) return clear;
     format_.notes.push_back(message("its times have no unit: seconds are assumed"));
   }
   constexpr double kApart = 0.01;

@@ -176,6 +176,8 @@ TextRows::Kind TextRows::parse(std::string_view line) {
   }
   if (!timed_) return good ? Kind::Good : Kind::Bad;
   const std::string_view cell = cells_[static_cast<std::size_t>(layout_.timeColumn)];
+  if (layout_.dateColumn >= 0 && counts_.rows == 0)
+    times_->beginOn(cells_[static_cast<std::size_t>(layout_.dateColumn)]);
   const std::optional<double> time = times_->seconds(cell);
   if (!time) {
     remember(layout_.timeColumn, cell);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <vector>
@@ -177,6 +178,29 @@ void findOtherTime(std::span<const std::string> lines, const DataRows& rows, Tex
   }
 }
 
+// Frequencies in even steps where times would be: a spectrum.
+void findFrequencies(std::span<const std::string> lines, const DataRows& rows, TextLayout& layout) {
+  const auto first = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                  [](const TextColumn& c) { return !c.empty && !c.rowNumber; });
+  if (first == layout.columns.end()) return;
+  const std::string name = first->name.substr(0, first->name.find_first_of(" _[("));
+  constexpr auto kNames = std::to_array<std::string_view>({"f", "freq", "freq.", "frequency", "frequenz", "hz"});
+  const bool named = std::any_of(kNames.begin(), kNames.end(), [&name](std::string_view known) {
+    return std::equal(name.begin(), name.end(), known.begin(), known.end(),
+                      [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+  });
+  const bool frequencies = first->unit == "Hz" || first->unit == "kHz" || (named && first->unit.empty());
+  const auto index = static_cast<std::size_t>(first - layout.columns.begin());
+  if (frequencies && growsEvenly(numbersOf(lines, rows, index))) layout.frequencies = first->name;
+}
+
+// Of a column of dates alone beside one of times of day.
+int findDates(const TextLayout& layout) {
+  const auto dates = std::find_if(layout.columns.begin(), layout.columns.end(),
+                                  [](const TextColumn& c) { return c.stamps && !c.clock; });
+  return dates == layout.columns.end() ? -1 : static_cast<int>(dates - layout.columns.begin());
+}
+
 }  // namespace
 
 void findTimeColumn(std::span<const std::string> lines, const DataRows& rows, TextLayout& layout) {
@@ -194,14 +218,26 @@ void findTimeColumn(std::span<const std::string> lines, const DataRows& rows, Te
       std::any_of(layout.columns.begin(), layout.columns.end(), [](const TextColumn& c) { return !c.name.empty(); });
   if (layout.timeColumn < 0 && !header) findUnnamed(lines, rows, layout);
   findRowNumbers(lines, rows, layout);
-  if (layout.timeColumn < 0) return;
+  if (layout.timeColumn < 0) {
+    findFrequencies(lines, rows, layout);
+    return;
+  }
   layout.timeStamps = layout.columns[static_cast<std::size_t>(layout.timeColumn)].clock;
-  if (!layout.timeStamps) settleUnit(lines, rows, layout);
+  if (layout.timeStamps) {
+    layout.dateColumn = findDates(layout);
+  } else {
+    settleUnit(lines, rows, layout);
+  }
   findOtherTime(lines, rows, layout);
 }
 
 std::optional<double> TimeCells::seconds(std::string_view cell) {
   return stamps_ ? stampSeconds(cell) : numberSeconds(cell);
+}
+
+void TimeCells::beginOn(std::string_view date) {
+  const std::optional<TimeStamp> stamp = parseTimeStamp(date);
+  if (!begun_ && stamp) day_ = stamp->day;
 }
 
 std::optional<double> TimeCells::stampSeconds(std::string_view cell) {
@@ -216,7 +252,11 @@ std::optional<double> TimeCells::stampSeconds(std::string_view cell) {
   }
   if (!begun_) {
     origin_ = ns;
-    if (stamp->day) started_ns_ = stamp->zone_ns ? ns : localTime(ns);
+    if (stamp->day) {
+      started_ns_ = stamp->zone_ns ? ns : localTime(ns);
+    } else if (day_) {
+      started_ns_ = stamp->zone_ns ? ns + *day_ * kDay_ns : localTime(ns + *day_ * kDay_ns);
+    }
   }
   begun_ = true;
   before_ns_ = ns;

@@ -21,6 +21,8 @@ class TimeCells {
  public:
   explicit TimeCells(const TextLayout& layout)
       : stamps_(layout.timeStamps), secondsPerTime_(layout.secondsPerTime), decimalComma_(layout.cells.decimalComma) {}
+  // The day of the first cell, where its own column of dates tells it.
+  void beginOn(std::string_view date);
   // Nothing: the cell holds no time. A clock that jumps back by half a day or more has passed midnight.
   std::optional<double> seconds(std::string_view cell);
   // Of the first cell, ns since 1970 UTC; empty: it has no date. A stamp that does not say its zone is of this
@@ -37,7 +39,8 @@ class TimeCells {
   bool begun_ = false;
   std::int64_t origin_ = 0;  // whole units of the column, or ns of a stamp
   double originPart_ = 0.0;
-  std::int64_t before_ns_ = 0;  // last stamp, midnights included
+  std::int64_t before_ns_ = 0;       // last stamp, midnights included
+  std::optional<std::int64_t> day_;  // since 1970
   std::optional<std::int64_t> started_ns_;
 };
 

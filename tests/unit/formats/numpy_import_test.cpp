@@ -103,6 +103,29 @@ TEST(NumpyArrays, AnArchiveHoldsChannelsByNameWithTheirRate) {
   }
 }
 
+TEST(NumpyArrays, TimesThatAreTooSlowInSecondsAreAskedFor) {
+  const TempFolder folder;
+  std::vector<double> times(500), columns;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    times[i] = 0.1 * static_cast<double>(i);
+    columns.push_back(times[i]);
+    columns.push_back(std::sin(static_cast<double>(i * i)));
+  }
+  const std::string named = folder.file(
+      "cut.npz",
+      zip({{"time.npy", npy("<f8", "(500,)", raw(times))}, {"x.npy", npy("<f8", "(500,)", raw(times))}}, false));
+  const std::string first = folder.file("cut.npy", npy("<f8", "(500, 2)", raw(columns)));
+  ReadOptions told;
+  told.secondsPerTime = 1e-3;
+  for (const std::string& path : {named, first}) {
+    EXPECT_THAT(readAll(path).error, HasSubstr("its steps of 0.1 would be 10 Hz in seconds"));
+    EXPECT_THAT(readAll(path).error, HasSubstr("--time-unit ms (10000 Hz)"));
+    EXPECT_EQ(readAll(path, told).error, "");
+    EXPECT_EQ(readAll(path, told).format.rate.value, 10'000.0);
+    EXPECT_TRUE(readAll(path, told).format.notes.empty());
+  }
+}
+
 TEST(NumpyArrays, WhatIsNoRecordingIsRefusedInOneLine) {
   const TempFolder folder;
   const auto errorOf = [&](const std::string& content) {

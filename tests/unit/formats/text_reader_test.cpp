@@ -92,7 +92,7 @@ TEST_F(TextRecording, ColumnsWithUnitsAreChannelsAndAnIndicatorWithoutOneIsNot) 
 }
 
 TEST_F(TextRecording, IndicatorsAndMarksAreNoChannelsByName) {
-  const auto reader = open("t,ax,CI Value,label,Tacho\n0,1,9,0,5\n0.1,2,9,0,5\n0.2,3,9,1,0\n");
+  const auto reader = open("t (s),ax,CI Value,label,Tacho\n0,1,9,0,5\n0.1,2,9,0,5\n0.2,3,9,1,0\n");
   ASSERT_TRUE(reader);
   ASSERT_EQ(reader->format().channels.size(), 1U);
   EXPECT_EQ(reader->format().channels[0].info.name, "ax");
@@ -212,7 +212,7 @@ TEST_F(TextRecording, OptionsChooseChannelsQuantityAndScale) {
   ReadOptions options;
   options.channels = {2, 0};
   options.quantity = SensorQuantity::Displacement;
-  const std::string_view content = "t,a (V),b (V),c (um)\n0,1,2,3\n1,4,5,6\n2,7,8,9\n";
+  const std::string_view content = "t (s),a (V),b (V),c (um)\n0,1,2,3\n1,4,5,6\n2,7,8,9\n";
   auto reader = open(content, options);
   ASSERT_TRUE(reader);
   ASSERT_EQ(reader->format().channels.size(), 2U);
@@ -233,7 +233,7 @@ TEST_F(TextRecording, OptionsChooseChannelsQuantityAndScale) {
 }
 
 TEST_F(TextRecording, SpindleSpeedIsAChannelOnlyWhenAskedFor) {
-  const std::string_view content = "t,Spindle speed (rpm),a (g)\n0,6000,2\n1,6001,5\n2,6000,8\n";
+  const std::string_view content = "t (s),Spindle speed (rpm),a (g)\n0,6000,2\n1,6001,5\n2,6000,8\n";
   auto reader = open(content);
   ASSERT_TRUE(reader);
   ASSERT_EQ(reader->format().channels.size(), 1U);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/wall_clock.h"
 #include "core/session/open_recording.h"
 #include "tests/support/temp_folder.h"
 
@@ -106,8 +107,55 @@ TEST_F(TextTable, ATimeWhoseUnitNobodyKnowsIsRefusedAndSetAsideByARate) {
   EXPECT_THAT(refusal(ticks), HasSubstr("the unit 'ticks' of its time is not known"));
   expectWhole(ticks, rate(10000.0));
   const std::string bare = table("time,ax,ay\n", [](int i) { return std::to_string(100 * i) + "," + both(i); });
-  EXPECT_THAT(refusal(bare), HasSubstr("its time has no unit and steps of 100"));
+  EXPECT_THAT(refusal(bare), HasSubstr("its time has no unit; its steps of 100 would be 0.01 Hz in seconds"));
   expectWhole(bare, rate(10000.0));
+}
+
+TEST_F(TextTable, TimesThatAreTooSlowInSecondsAreAskedFor) {
+  const std::string steps = "its time has no unit; its steps of 0.1 would be 10 Hz in seconds";
+  const auto row = [](int i) { return format("%.4f", 0.1 * i) + "," + both(i); };
+  const std::string named = table("time,ax,ay\n", row), bare = table("", row);
+  for (const std::string& content : {named, bare}) {
+    EXPECT_THAT(refusal(content), HasSubstr(steps));
+    EXPECT_THAT(refusal(content), HasSubstr("say --time-unit ms (10000 Hz), or s if it is that slow"));
+    ReadOptions told;
+    told.secondsPerTime = 1e-3;
+    expectWhole(content, told);
+    told.secondsPerTime = 1.0;
+    EXPECT_NEAR(open(content, told)->format().rate.value, 10.0, 1e-6);
+  }
+  EXPECT_NEAR(open(table("Time (s),ax,ay\n", row))->format().rate.value, 10.0, 1e-6) << "the file says so itself";
+  const auto slowest = open(table("time,ax,ay\n", [](int i) { return format("%.3f", 0.01 * i) + "," + both(i); }));
+  EXPECT_NEAR(slowest->format().rate.value, 100.0, 1e-6) << "a phone's";
+  const std::string ticks =
+      table("Time (ticks),ax,ay\n", [](int i) { return std::to_string(100 * i) + "," + both(i); });
+  ReadOptions micro;
+  micro.secondsPerTime = 1e-6;
+  expectWhole(ticks, micro);
+}
+
+TEST_F(TextTable, ASpectrumIsNoRecording) {
+  for (const char* header : {"Frequency (Hz),X (g),Y (g)\n", "freq,x,y\n", "f [kHz],x,y\n"}) {
+    const std::string content = table(header, [](int i) { return format("%.4f", 0.5 * i) + "," + both(i); });
+    EXPECT_THAT(refusal(content), HasSubstr("is a spectrum and no recording")) << header;
+  }
+  // A speed in hertz beside times is none.
+  const auto reader = open(table("Time (s),X (g),f (Hz)\n",
+                                 [](int i) { return format("%.4f", 1e-4 * i) + ",0.5," + format("%.2f", 0.5 * i); }));
+  EXPECT_EQ(reader->format().channels.size(), 1U);
+}
+
+TEST_F(TextTable, TheDayOfAClockStandsInAColumnOfItsOwn) {
+  const auto rows = [](int i) { return "2026-11-25,08:59:59." + format("%06.0f", 100.0 * i) + "Z," + both(i); };
+  const auto reader = open(table("Date,Time,ax,ay\n", rows));
+  EXPECT_EQ(reader->format().started_ns, wallTime("2026-11-25T08:59:59Z"));
+  const auto unclear = [](int i) { return "03/04/2026,08:59:59." + format("%06.0f", 100.0 * i) + "," + both(i); };
+  EXPECT_EQ(open(table("Date,Time,ax,ay\n", unclear))->format().started_ns, 0) << "March or April";
+}
+
+TEST_F(TextTable, AColumnOfCommentsThatIsFilledIsNamed) {
+  expectWhole(table("\"Time (s)\",\"ax\",\"ay\",\"Comment\"\n",
+                    [](int i) { return "\"" + format("%.4f", 1e-4 * i) + "\"," + both(i) + ",\"a, b\""; }));
 }
 
 TEST_F(TextTable, TimesOfDayAndDates) {

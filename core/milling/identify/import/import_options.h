@@ -37,6 +37,7 @@ struct ImportOptions {
   std::string forceUnit, responseUnit;                // "N", "lbf"; "m/s^2", "g", "mm/s"; "V"
   std::optional<double> forceScale, responseScale;    // of those units per unit of the file: what full scale is
   std::string forceSensitivity, responseSensitivity;  // "2.25 mV/N", "100 mV/g": of channels in volts
+  std::optional<double> secondsPerTime;               // of its times in numbers
   std::optional<Hertz> rate;                          // of a recording that does not say it
   OpenRecording open;
 };

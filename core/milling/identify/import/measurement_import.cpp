@@ -42,6 +42,7 @@ Result<Measurement> fromRecording(const std::string& path, const ImportOptions& 
   if (!options.open) return Error{path, message("is no frequency response")};
   record::ReadOptions reading;
   reading.rate = options.rate;
+  reading.secondsPerTime = options.secondsPerTime;
   auto reader = options.open(path, reading);
   if (!reader) return reader.error();
   const auto channels = readTimeChannels(**reader, path);
