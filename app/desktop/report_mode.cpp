@@ -20,7 +20,7 @@ Status makeReport(const QStringList& files, QSize pictureSize, ui::UnitSystem un
   if (!summary) return summary.error();
   if (!summary->session && pdf) {
     BackgroundTask::Progress nobodyWaits;
-    const auto judged = judgeFile(file, {}, FileDetectors::Default, nobodyWaits);
+    const auto judged = judgeFile(file, {}, nobodyWaits);
     if (!judged) return judged.error();
     summary->answer = sentencesOf(*judged);
   }

@@ -28,6 +28,15 @@ struct FileQuestion {
   bool operator==(const FileQuestion&) const = default;
 };
 
+// What somebody tells of a recording that does not say when its samples were taken.
+struct FileTiming {
+  Hertz rate{};                 // 0: not told
+  double secondsPerTime = 0.0;  // of its times in numbers; 0: not told
+  bool operator==(const FileTiming&) const = default;
+};
+// Which of these a recording lacks that was refused for it.
+enum class FileLack { None, Rate, TimeUnit };
+
 // Times count from the first sample of the recording.
 struct FileState {
   Seconds begin{}, end{};
@@ -96,6 +105,9 @@ class FileController {
   virtual bool poll() = 0;
 
   virtual void open(Place place, const QString& path) = 0;
+  // The one opened last there is read again with it, until another is opened.
+  virtual void tellTiming(Place place, const FileTiming& timing) = 0;
+  virtual FileLack lacking(Place place) const = 0;  // while it is refused
   virtual void close(Place place) = 0;
   virtual QString path(Place place) const = 0;  // that was opened last, whether it could be read or not
   // Null: nothing is open, or it is still being read.

@@ -39,14 +39,35 @@ bool DeskFileController::poll() {
 
 void DeskFileController::open(Place place, const QString& path) {
   close(place);
+  places_[place].path = path;
+  startReading(place);
+}
+
+void DeskFileController::tellTiming(Place place, const ui::FileTiming& timing) {
+  const QString path = places_[place].path;
+  close(place);
+  places_[place].path = path;
+  places_[place].timing = timing;
+  if (!path.isEmpty()) startReading(place);
+}
+
+void DeskFileController::startReading(Place place) {
   Shown& shown = places_[place];
-  shown.path = path;
+  const auto lack = std::make_shared<ui::FileLack>(ui::FileLack::None);  // the work's until it has failed
   shown.reading.start(
-      ui::TaskState::What::Reading, path,
-      [&shown, file = path.toStdString()](BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
-        auto read = readFile(file, p);
-        if (!read) return read.error();
+      ui::TaskState::What::Reading, shown.path,
+      [&shown, lack, file = shown.path.toStdString(),
+       timing = shown.timing](BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
+        auto read = readFile(file, timing, p);
+        if (!read) {
+          if (!p.stopped()) *lack = lackOf(file);
+          return read.error();
+        }
         return BackgroundTask::Apply([&shown, made = std::move(read).value()] { shown.read = made; });
+      },
+      [this, &shown, lack](const Error&) {
+        shown.lack = *lack;
+        changed_ = true;
       });
   ask(place, {});
 }
@@ -57,6 +78,8 @@ void DeskFileController::close(Place place) {
   shown.transforming.leave();
   shown.answering.leave();
   shown.path.clear();
+  shown.timing = {};
+  shown.lack = ui::FileLack::None;
   shown.read = {};
   shown.judgement.reset();
   shown.question = {};
@@ -79,9 +102,9 @@ void DeskFileController::ask(Place place, const ui::FileQuestion& question) {
   if (shown.path.isEmpty()) return;
   shown.answering.start(
       ui::TaskState::What::Detectors, shown.path,
-      [this, place, question,
+      [this, place, question, read = readOptions(shown.timing),
        file = shown.path.toStdString()](BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
-        auto judged = judgeFile(file, question, FileDetectors::Default, p);
+        auto judged = judgeFile(file, {read, question, FileDetectors::Default}, p);
         if (!judged) return judged.error();
         return BackgroundTask::Apply([this, place, question, made = std::move(judged).value()] {
           places_[place].judgement = made;
@@ -94,9 +117,9 @@ void DeskFileController::ask(Place place, const ui::FileQuestion& question) {
 
 void DeskFileController::askOthers(const ui::FileQuestion& question) {
   others_.start(ui::TaskState::What::Detectors, places_[Main].path,
-                [this, question, file = places_[Main].path.toStdString()](
+                [this, question, read = readOptions(places_[Main].timing), file = places_[Main].path.toStdString()](
                     BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
-                  auto judged = judgeFile(file, question, FileDetectors::Others, p);
+                  auto judged = judgeFile(file, {read, question, FileDetectors::Others}, p);
                   if (!judged) return judged.error();
                   return BackgroundTask::Apply([this, question, made = std::move(judged).value()] {
                     Shown& main = places_[Main];
@@ -141,15 +164,16 @@ void DeskFileController::askSummary() {
   const std::optional<FileJudgement>& judgement = places_[Main].judgement;
   const std::optional<SummaryAnswer> answer =
       judgement ? std::optional(sentencesOf(*judgement)) : std::optional<SummaryAnswer>();
-  summarizing_.start(ui::TaskState::What::Reading, places_[Main].path,
-                     [this, answer, file = places_[Main].path.toStdString()](
-                         BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
-                       auto read = evaluate::summarizeRecording(file, {}, {}, told(p));
-                       if (!read) return read.error();
-                       read->answer = answer;
-                       auto made = std::make_shared<const SessionSummary>(std::move(read).value());
-                       return BackgroundTask::Apply([this, made] { summary_ = made; });
-                     });
+  summarizing_.start(
+      ui::TaskState::What::Reading, places_[Main].path,
+      [this, answer, options = readOptions(places_[Main].timing),
+       file = places_[Main].path.toStdString()](BackgroundTask::Progress& p) -> Result<BackgroundTask::Apply> {
+        auto read = evaluate::summarizeRecording(file, options, {}, told(p));
+        if (!read) return read.error();
+        read->answer = answer;
+        auto made = std::make_shared<const SessionSummary>(std::move(read).value());
+        return BackgroundTask::Apply([this, made] { summary_ = made; });
+      });
 }
 
 void DeskFileController::askSpectra(Place place, const SpectraRequest& request) {

@@ -19,6 +19,8 @@ class DeskFileController final : public ui::FileController {
   bool poll() override;
 
   void open(Place place, const QString& path) override;
+  void tellTiming(Place place, const ui::FileTiming& timing) override;
+  ui::FileLack lacking(Place place) const override { return places_[place].lack; }
   void close(Place place) override;
   QString path(Place place) const override { return places_[place].path; }
   std::shared_ptr<const ui::FileContents> contents(Place place) const override { return places_[place].read.contents; }
@@ -45,6 +47,8 @@ class DeskFileController final : public ui::FileController {
  private:
   struct Shown {
     QString path;
+    ui::FileTiming timing;
+    ui::FileLack lack = ui::FileLack::None;
     FileReading read;
     std::shared_ptr<const Spectra> spectra;
     ui::FileQuestion question;
@@ -52,6 +56,7 @@ class DeskFileController final : public ui::FileController {
     ui::FileQuestion judged;  // that `judgement` answers
     BackgroundTask reading, transforming, answering;
   };
+  void startReading(Place place);
   void findInSignal();
   void askOthers(const ui::FileQuestion& question);
 

@@ -34,12 +34,12 @@ QString sentenceOf(const Message& message) {
 
 }  // namespace
 
-Result<FileJudgement> judgeFile(const std::string& path, const ui::FileQuestion& question, FileDetectors detectors,
-                                BackgroundTask::Progress& progress) {
+Result<FileJudgement> judgeFile(const std::string& path, const FileAsked& asked, BackgroundTask::Progress& progress) {
   RecordingOptions options;
-  options.teeth = question.teeth;
-  options.speed = question.speed;
-  options.methods.detectors = idsOf(detectors);
+  options.read = asked.read;
+  options.teeth = asked.question.teeth;
+  options.speed = asked.question.speed;
+  options.methods.detectors = idsOf(asked.detectors);
   auto built = buildRecordingRig(path, options);
   if (!built) return built.error();
   Rig& rig = *built->rig;

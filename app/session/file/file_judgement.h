@@ -7,6 +7,7 @@
 
 #include "app/session/background_task.h"
 #include "core/evaluate/answer_text.h"
+#include "core/formats/recording_reader.h"
 #include "core/model/recording_answer.h"
 #include "core/model/session_summary.h"
 #include "ui/facade/file_controller.h"
@@ -22,8 +23,12 @@ struct FileJudgement {
 
 // The detector that answers when nobody names one, or all the others.
 enum class FileDetectors { Default, Others };
-Result<FileJudgement> judgeFile(const std::string& path, const ui::FileQuestion& question, FileDetectors detectors,
-                                BackgroundTask::Progress& progress);
+struct FileAsked {
+  record::ReadOptions read;  // with which the recording is opened
+  ui::FileQuestion question;
+  FileDetectors detectors = FileDetectors::Default;
+};
+Result<FileJudgement> judgeFile(const std::string& path, const FileAsked& asked, BackgroundTask::Progress& progress);
 
 // Numbers and reasons as the screens write them.
 evaluate::AnswerWriting screenWriting();

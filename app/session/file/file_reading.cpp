@@ -112,8 +112,24 @@ class Reading {
 
 }  // namespace
 
-Result<FileReading> readFile(const std::string& path, BackgroundTask::Progress& progress) {
-  auto reader = evaluate::openCut(path);
+record::ReadOptions readOptions(const ui::FileTiming& timing) {
+  record::ReadOptions options;
+  if (timing.rate.value > 0.0) options.rate = timing.rate;
+  if (timing.secondsPerTime > 0.0) options.secondsPerTime = timing.secondsPerTime;
+  return options;
+}
+
+ui::FileLack lackOf(const std::string& path) {
+  const auto opens = [&path](const ui::FileTiming& timing) {
+    return evaluate::openCut(path, readOptions(timing)).ok();
+  };
+  if (opens({Hertz(), 1.0})) return ui::FileLack::TimeUnit;
+  return opens({Hertz(1000.0), 0.0}) ? ui::FileLack::Rate : ui::FileLack::None;
+}
+
+Result<FileReading> readFile(const std::string& path, const ui::FileTiming& timing,
+                             BackgroundTask::Progress& progress) {
+  auto reader = evaluate::openCut(path, readOptions(timing));
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
   auto samples = evaluate::SampleStore::make(static_cast<int>(format.channels.size()));

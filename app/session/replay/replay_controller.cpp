@@ -98,7 +98,7 @@ void ReplayController::readWhole() {
         });
         if (!read) return read.error();
         if (!read->session) {
-          const auto judged = judgeFile(file, {}, FileDetectors::Default, progress);
+          const auto judged = judgeFile(file, {}, progress);
           if (!judged && progress.stopped()) return judged.error();
           if (judged) read->answer = sentencesOf(*judged);
         }

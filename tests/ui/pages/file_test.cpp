@@ -153,6 +153,34 @@ TEST_F(FilePageTest, AFileThatCannotBeReadSaysWhy) {
   EXPECT_FALSE(find<TouchButton>(QStringLiteral("file-picture"))->isEnabled());
 }
 
+TEST_F(FilePageTest, WhatAFileDoesNotSayOfItsTimesIsAsked) {
+  desk_.unreadable = QStringLiteral("/rec/cut.csv: its time has no unit; its steps of 0.1 would be 10 Hz in seconds");
+  desk_.lack = FileLack::TimeUnit;
+  openWindow();
+  openFile();
+  EXPECT_FALSE(find<QLineEdit>(QStringLiteral("file-teeth"))->isVisible());
+  EXPECT_FALSE(find<QLineEdit>(QStringLiteral("file-rate"))->isVisible());
+  find<TouchButton>(QStringLiteral("file-time-ms"))->click();
+  tick(40);
+  ASSERT_EQ(desk_.timings.size(), 1U);
+  EXPECT_EQ(desk_.timings[0], (FileTiming{Hertz(), 1e-3}));
+  EXPECT_TRUE(find<QLineEdit>(QStringLiteral("file-teeth"))->isVisible());
+  EXPECT_FALSE(find<TouchButton>(QStringLiteral("file-time-ms"))->isVisible());
+
+  desk_.unreadable = QStringLiteral("/rec/cut.csv: the sampling rate is not known");
+  desk_.lack = FileLack::Rate;
+  openFile();
+  auto* rate = find<QLineEdit>(QStringLiteral("file-rate"));
+  ASSERT_TRUE(rate->isVisible());
+  rate->setText(QStringLiteral("many"));
+  find<TouchButton>(QStringLiteral("file-rate-read"))->click();
+  EXPECT_EQ(desk_.timings.size(), 1U) << "no number, nothing told";
+  rate->setText(QStringLiteral("25600"));
+  find<TouchButton>(QStringLiteral("file-rate-read"))->click();
+  ASSERT_EQ(desk_.timings.size(), 2U);
+  EXPECT_EQ(desk_.timings[1], (FileTiming{Hertz(25600.0), 0.0}));
+}
+
 TEST_F(FilePageTest, AllOfItIsShownAndWheelAndDragLookCloser) {
   openWindow();
   openFile();

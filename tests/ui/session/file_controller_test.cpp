@@ -128,6 +128,39 @@ TEST(IndicatorCurve, KeepsTheLargestWhateverTheLength) {
   EXPECT_NEAR(at(end - 1.0), 0.1, 1e-6);
 }
 
+TEST_F(FileDesk, WhatIsLackingIsSaidAndTheFileReadWithIt) {
+  const auto table = [](const std::string& header, bool times) {
+    std::string text = header;
+    for (int i = 0; i < 4000; ++i) {
+      const std::string value = std::to_string(std::sin(0.7 * i));
+      text += times ? std::to_string(0.1 * i) + "," + value + "\n" : value + ",0.5\n";
+    }
+    return text;
+  };
+  desk_.open(kMain, write(QStringLiteral("ms.csv"), table("time,ax\n", true)));
+  settle();
+  EXPECT_EQ(desk_.contents(kMain), nullptr);
+  EXPECT_EQ(desk_.lacking(kMain), ui::FileLack::TimeUnit);
+  desk_.tellTiming(kMain, {Hertz(), 1e-3});
+  settle();
+  EXPECT_EQ(desk_.lacking(kMain), ui::FileLack::None);
+  ASSERT_NE(desk_.contents(kMain), nullptr);
+  EXPECT_NEAR(desk_.contents(kMain)->rate.value, 10'000.0, 1e-3);
+  EXPECT_NE(desk_.answer(kMain), nullptr) << "judged with it as well";
+
+  desk_.open(kMain, write(QStringLiteral("bare.csv"), table("ax,ay\n", false)));
+  settle();
+  EXPECT_EQ(desk_.lacking(kMain), ui::FileLack::Rate);
+  desk_.tellTiming(kMain, {Hertz(8'000.0), 0.0});
+  settle();
+  ASSERT_NE(desk_.contents(kMain), nullptr);
+  EXPECT_NEAR(desk_.contents(kMain)->rate.value, 8'000.0, 1e-3);
+
+  desk_.open(kMain, write(QStringLiteral("letter.csv"), "no numbers\n"));
+  settle();
+  EXPECT_EQ(desk_.lacking(kMain), ui::FileLack::None);
+}
+
 TEST_F(FileDesk, AnotherQuestionTakesThePlaceOfTheOneBefore) {
   const QString path = chatter();
   desk_.open(kMain, path);

@@ -25,6 +25,13 @@ class FakeFileDesk final : public FileController {
     ask(place, {});
     changed = true;
   }
+  void tellTiming(Place place, const FileTiming& timing) override {
+    timings.push_back(timing);
+    unreadable.clear();
+    lack = FileLack::None;
+    open(place, QString(paths_[place]));
+  }
+  FileLack lacking(Place place) const override { return place == Main ? lack : FileLack::None; }
   void close(Place place) override {
     paths_[place].clear();
     contents_[place].reset();
@@ -114,6 +121,8 @@ class FakeFileDesk final : public FileController {
   TaskState judging;
   FileFindings found;
   QString unreadable, soundTrouble;
+  FileLack lack = FileLack::None;
+  std::vector<FileTiming> timings;
   std::optional<Seconds> heard;
   std::pair<Seconds, Seconds> played;
   FileQuestion toldByFile;

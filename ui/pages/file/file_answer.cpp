@@ -10,6 +10,7 @@
 
 #include "ui/base/format.h"
 #include "ui/pages/file/question_fields.h"
+#include "ui/pages/file/timing_fields.h"
 #include "ui/pages/tool_button.h"
 #include "ui/widgets/text_label.h"
 
@@ -74,6 +75,7 @@ FileAnswerPanel::FileAnswerPanel(QWidget* parent)
       found_(new TextLabel({type_size::kLabel, false, true, true})),
       fields_(new QuestionFields(QStringLiteral("file"))),
       besideFields_(new QuestionFields(QStringLiteral("file-beside"))),
+      timing_(new TimingFields),
       beside_(new QWidget),
       besideTitle_(new TextLabel({type_size::kBody, true, false, true})),
       besideHeadline_(new TextLabel({type_size::kButton, true, false, true})),
@@ -99,6 +101,7 @@ FileAnswerPanel::FileAnswerPanel(QWidget* parent)
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);
   column->addWidget(scroll_, 1);
+  column->addWidget(timing_);
   column->addWidget(fields_);
   column->addWidget(found_);
   makeBeside();
@@ -106,6 +109,7 @@ FileAnswerPanel::FileAnswerPanel(QWidget* parent)
   column->addWidget(open_);
   connect(fields_, &QuestionFields::edited, this, [this] { emit edited(FileController::Main); });
   connect(besideFields_, &QuestionFields::edited, this, [this] { emit edited(FileController::Beside); });
+  connect(timing_, &TimingFields::told, this, &FileAnswerPanel::timingTold);
   connect(open_, &TouchButton::clicked, this, &FileAnswerPanel::openAsked);
 }
 
@@ -133,6 +137,8 @@ void FileAnswerPanel::display(const Shown& shown) {
            "sound of a phone, a table, a logger's file, a session."));
   }
   fields_->setEnabled(any);
+  fields_->setVisible(shown.lack == FileLack::None);
+  timing_->display(shown.lack);
   const Words words = wordsOf(shown);
   headline_->setTone(words.tone);
   headline_->setText(words.headline);

@@ -14,6 +14,7 @@ namespace stillcut::ui {
 
 class QuestionFields;
 class TextLabel;
+class TimingFields;
 class TouchButton;
 
 class FileAnswerPanel : public Panel {
@@ -28,6 +29,7 @@ class FileAnswerPanel : public Panel {
     TaskState reading, judging;  // of the file, of the answer
     FileQuestion asked;
     FileFindings findings;
+    FileLack lack = FileLack::None;
   };
   void display(const Shown& shown);
   // The one it is compared with; hidden without one. `louder_dB`: in the cut than the first, where that is known.
@@ -41,6 +43,7 @@ class FileAnswerPanel : public Panel {
  signals:
   void edited(stillcut::ui::FileController::Place place);
   void openAsked();
+  void timingTold(const stillcut::ui::FileTiming& timing);
 
  private:
   void makeBeside();
@@ -48,6 +51,7 @@ class FileAnswerPanel : public Panel {
 
   TextLabel *title_, *facts_, *headline_, *advice_, *details_, *found_;
   QuestionFields *fields_, *besideFields_;
+  TimingFields* timing_;
   QWidget* beside_;
   TextLabel *besideTitle_, *besideHeadline_, *besideLevel_;
   QScrollArea* scroll_;

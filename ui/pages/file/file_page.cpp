@@ -114,6 +114,11 @@ QWidget* FilePage::makeFoot() {
 
 void FilePage::connectParts() {
   connect(answer_, &FileAnswerPanel::openAsked, this, [this] { choose(kMain); });
+  connect(answer_, &FileAnswerPanel::timingTold, this, [this](const FileTiming& timing) {
+    controller_->tellTiming(kMain, timing);
+    editedMs_[kMain] = kJustNow;  // what stands in the fields is asked of it as well
+    refresh();
+  });
   connect(answer_, &FileAnswerPanel::edited, this,
           [this](FileController::Place place) { editedMs_[place] = kJustNow; });
   connect(tools_, &FileTools::changed, this, [this] {
@@ -224,7 +229,8 @@ void FilePage::showAnswer() {
                                   controller_->reading(place),
                                   controller_->answering(place),
                                   controller_->asked(place),
-                                  place == kMain ? controller_->findings() : FileFindings()};
+                                  place == kMain ? controller_->findings() : FileFindings(),
+                                  controller_->lacking(place)};
   };
   answer_->display(shown(kMain));
   answer_->displayBeside(shown(kBeside), besideLouderDb());
