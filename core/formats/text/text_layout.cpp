@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/formats/text/data_rows.h"
+#include "core/formats/text/labview_segment.h"
 #include "core/formats/text/rate_words.h"
 #include "core/formats/text/text_header.h"
 #include "core/formats/text/text_times.h"
@@ -61,7 +62,9 @@ Status readLabViewHeader(std::span<const std::string> lines, std::size_t firstDa
   layout.kind = "LabVIEW measurement text";
   layout.timeUnitAssumed = false;  // X_Value is in seconds
   Cells cells;
+  LabViewSegment segment(layout.cells);
   for (std::size_t i = 0; i < firstData; ++i) {
+    segment.take(lines[i]);
     splitCells(lines[i], layout.cells.delimiter, cells);
     if (cells.size() < 2) continue;
     const std::string lineWhere = where + ":" + std::to_string(i + 1);
@@ -70,6 +73,7 @@ Status readLabViewHeader(std::span<const std::string> lines, std::size_t firstDa
       if (const Status s = takeSteps(cells, layout, lineWhere); !s) return s.error();
     }
   }
+  layout.segmentStart = segment.start();
   return Done{};
 }
 
@@ -131,8 +135,17 @@ void takeWordsOfForm(TextLayout& layout) {
   }
 }
 
-Result<TextLayout> layoutOf(std::span<const std::string> lines, const DataRows& data, const LineForm& form,
+// Without what LabVIEW writes above a further segment, whose keys stand in the columns of the numbers.
+std::span<const std::string> firstSegment(std::span<const std::string> lines, const DataRows& data) {
+  const std::string key = std::string("Channels") + data.format.delimiter;
+  const auto further = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(data.clean), lines.end(),
+                                    [&key](const std::string& line) { return line.starts_with(key); });
+  return lines.first(static_cast<std::size_t>(further - lines.begin()));
+}
+
+Result<TextLayout> layoutOf(std::span<const std::string> all, const DataRows& data, const LineForm& form,
                             const std::string& where) {
+  const std::span<const std::string> lines = firstSegment(all, data);
   TextLayout layout;
   layout.form = form;
   layout.cells = data.format;

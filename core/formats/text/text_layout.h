@@ -43,6 +43,7 @@ struct TextLayout {
   int dateColumn = -1;                  // of dates beside a time column of times of day; -1: none
   bool days = false;                    // times without a unit that look like days, as spreadsheets count them
   LineForm form;                        // what is done with a line before it is cut into cells
+  std::optional<double> segmentStart;   // of LabVIEW's first segment [s], see LabViewSegment
   std::string unclearRate;              // of the header, as it stands there; empty: none, or clear
   std::optional<Hertz> rateFromHeader;  // where the header declares it, and never in two ways
 };

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/formats/text/labview_segment.h"
 #include "core/formats/text/rate_words.h"
 #include "core/units/unit_names.h"
 
@@ -39,7 +40,7 @@ Status TextRows::rewind() {
   counts_ = {};
   counts_.badCells.assign(columns_.size(), 0);
   counts_.filledTo.assign(columns_.size(), 0);
-  badSince_ = goodTo_ = odd_ = oddLine_ = 0;
+  badSince_ = goodTo_ = odd_ = oddLine_ = lostBefore_ = betweenSegments_ = 0;
   firstOdd_.reset();
   oddCount_ = oddNumbers_ = segment_ = false;
   oddRates_.clear();
@@ -66,22 +67,37 @@ Error TextRows::anotherSegment() const {
           message("save each segment as a file of its own")};
 }
 
-// Up to the names of its columns, which are those of the first segment where it has as many channels. Without times
-// nobody can tell how much is missing between two segments.
+// Up to the names of its columns, which are those of the first segment where it has as many channels.
 Status TextRows::passSegmentHeader(std::string_view& line) {
   splitCells(line, layout_.cells.delimiter, cells_);
-  const auto channels = static_cast<std::size_t>(
-      std::count_if(layout_.columns.begin(), layout_.columns.end(), [](const TextColumn& c) { return !c.empty; }) - 1);
-  if (!timed_ || cells_.size() < 2 || cells_[1] != std::to_string(channels)) return anotherSegment();
+  const auto filled =
+      std::count_if(layout_.columns.begin(), layout_.columns.end(), [](const TextColumn& c) { return !c.empty; });
+  const auto channels = filled - (layout_.timeColumn >= 0 ? 1 : 0);
+  if (cells_.size() < 2 || cells_[1] != std::to_string(channels)) return anotherSegment();
   segment_ = true;
+  LabViewSegment segment(layout_.cells);
   constexpr int kLongestHeader = 100;  // lines
   for (int i = 0; i < kLongestHeader; ++i) {
     const bool end = line.starts_with("***End_of_Header***");
+    segment.take(line);
     const Result<bool> more = lines_->next(line);
     if (!more) return more.error();
-    if (!*more || end) return Done{};
+    if (!*more || end) return timed_ ? Status(Done{}) : countBetween(segment.start());
   }
   return anotherSegment();
+}
+
+// Without times of the rows their headers tell what is missing between two segments; without those nobody can.
+Status TextRows::countBetween(std::optional<double> start) {
+  constexpr double kEarly = 0.05;  // [s] by which a clock may begin a segment too soon
+  constexpr double kMost = 1e12;
+  if (!start || !layout_.segmentStart || !layout_.rateFromHeader) return anotherSegment();
+  const double rate = layout_.rateFromHeader->value;
+  const double lost = (*start - *layout_.segmentStart) * rate - static_cast<double>(counts_.all() + betweenSegments_);
+  if (!(lost >= -kEarly * rate) || lost > kMost) return anotherSegment();
+  lostBefore_ = std::max<std::int64_t>(std::llround(lost), 0);
+  betweenSegments_ += lostBefore_;
+  return Done{};
 }
 
 Result<bool> TextRows::next() {
@@ -107,7 +123,8 @@ Result<bool> TextRows::next() {
       row_.time = before;
       continue;
     }
-    row_.lost = badSince_;
+    row_.lost = badSince_ + lostBefore_;
+    lostBefore_ = 0;
     if (timed_ && step_ > 0.0 && counts_.rows > 0) {
       const Result<std::int64_t> lost = missingBetween(before, row_.time);
       if (!lost) return lost.error();

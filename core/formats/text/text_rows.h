@@ -60,6 +60,7 @@ class TextRows {
 
   Result<bool> nextLine(std::string_view& line);
   Status passSegmentHeader(std::string_view& line);
+  Status countBetween(std::optional<double> start);
   Error anotherSegment() const;
   Kind parse(std::string_view line);
   bool takeNumbers();
@@ -85,9 +86,11 @@ class TextRows {
   std::vector<std::string_view> cells_;
   TextRow row_;
   TextRowCounts counts_;
-  std::int64_t goodTo_ = 0;    // all rows up to the last good one
-  std::int64_t badSince_ = 0;  // rows, since the last good one
-  bool segment_ = false;       // a header of LabVIEW has passed since the last good row
+  std::int64_t goodTo_ = 0;           // all rows up to the last good one
+  std::int64_t badSince_ = 0;         // rows, since the last good one
+  std::int64_t lostBefore_ = 0;       // frames between the segments, before the next row
+  std::int64_t betweenSegments_ = 0;  // in all
+  bool segment_ = false;              // a header of LabVIEW has passed since the last good row
   // Lines that may be a footer, until a row follows.
   std::int64_t odd_ = 0;
   std::optional<Error> firstOdd_;

@@ -165,6 +165,44 @@ TEST_F(TextColumns, SegmentsOfLabViewThatGoOnAreOneRecording) {
   EXPECT_EQ(lost, 3U) << "time between segments is a gap";
 }
 
+// Without a column of times: the header says when a segment begins.
+std::string startedSegments(const std::vector<std::pair<std::string, int>>& starts) {
+  std::string text =
+      "LabVIEW Measurement\t\nMulti_Headings\tYes\nX_Columns\tNo\t\nDate\t2026/11/25\t\n"
+      "Time\t08:00:00.5\t\n***End_of_Header***\t\n\t\n";
+  int value = 0;
+  for (const auto& [start, rows] : starts) {
+    text += "Channels\t1\t\t\nY_Unit_Label\tg\t\t\n" + start +
+            "Delta_X\t0.001000\t\t\n***End_of_Header***\t\t\t\nX_Value\tAx\tComment\n";
+    for (int i = 0; i < rows; ++i) text += "\t" + std::to_string(0.5 * (value++ % 7)) + "\n";
+    text += "\n";
+  }
+  return text;
+}
+
+TEST_F(TextColumns, HeadersOfLabViewTellWhatIsMissingBetweenSegments) {
+  const std::string day = "Date\t2026/11/25\t\nTime\t08:59:59.";
+  const auto lostOf = [&](const std::vector<std::pair<std::string, int>>& starts, std::int64_t frames) {
+    const auto reader = open(startedSegments(starts));
+    if (!reader) return std::int64_t{-1};
+    EXPECT_EQ(reader->format().frames, frames);
+    EXPECT_EQ(reader->format().channels.size(), 1U);
+    EXPECT_TRUE(reader->format().notes.empty());
+    SampleBlock block;
+    block.allocate(1, 100);
+    std::int64_t lost = 0;
+    for (Result<bool> more = reader->read(block); more && *more; more = reader->read(block))
+      lost += static_cast<std::int64_t>(block.lostFrames);
+    return lost;
+  };
+  const std::string first = day + "9500\t\nX0\t0\t\n";
+  EXPECT_EQ(lostOf({{first, 5}, {day + "9500\t\nX0\t0.005\t\n", 5}, {day + "9500\t\nX0\t0.010\t\n", 4}}, 14), 0);
+  EXPECT_EQ(lostOf({{first, 5}, {day + "9580\t\nX0\t0\t\n", 5}, {day + "9660\t\nX0\t0\t\n", 4}}, 14), 6);
+  EXPECT_EQ(lostOf({{first, 5}, {day + "9540\t\nX0\t0\t\n", 5}}, 10), 0) << "a millisecond early by its clock";
+  EXPECT_THAT(refusal(startedSegments({{first, 300}, {day + "9500\t\nX0\t0\t\n", 5}})),
+              HasSubstr(": a second segment"));
+}
+
 TEST_F(TextColumns, SegmentsWhoseTimesBeginAgainAreRefused) {
   EXPECT_THAT(refusal(segments("X_Value", {"0\t1\n0.001\t2\n0.002\t3\n", "0\t4\n0.001\t5\n"})),
               HasSubstr(": a second segment"));
