@@ -64,6 +64,21 @@ void shopCurve(benchmark::State& state) {
 }
 BENCHMARK(shopCurve)->ArgName("pitch0_helix1_helices2_damping3")->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 
+// An uneven pitch whose pattern is a whole revolution, at speeds where many waves fit into it: against 20 times what
+// the plain cut takes there.
+void slowPitchCurve(benchmark::State& state) {
+  const auto speeds = speedSteps(Rpm(1500), Rpm(3000), Rpm(75), "bench").value();
+  SweepOptions options;
+  options.limits = {Metres(4e-3), true, true, {}};
+  options.threads = 1;
+  CutModel model = textbook(2);
+  model.tool.teeth = 4;
+  if (state.range(0) == 1) model.tool.pitch = {80.0, 95.0, 85.0, 100.0};
+  for (double& angle : model.tool.pitch) angle *= kTwoPi / 360.0;
+  for (auto _ : state) benchmark::DoNotOptimize(sweepLobes(model, speeds, options, "bench"));
+}
+BENCHMARK(slowPitchCurve)->ArgName("even0_uneven1")->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
+
 // 401 speeds x 201 depths, exact, two degrees of freedom.
 void computeChart(int threads) {
   static const std::vector<Rpm> kSpeeds = speedSteps(Rpm(5000), Rpm(25000), Rpm(50), "bench").value();

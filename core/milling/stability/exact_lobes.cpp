@@ -15,7 +15,7 @@ namespace stillcut::milling {
 namespace {
 
 constexpr double kHighestSpeed = 1e6;  // [rpm]
-constexpr int kMostLines = 140;        // of the harmonics of unlike teeth
+constexpr int kMostLines = 140;        // of the harmonics of a shaped tool
 constexpr double kMostWaves = 1000.0;  // vibration periods of the fastest mode between two teeth
 
 std::string number(double v) {
@@ -130,7 +130,7 @@ Status ExactLobes::checkPattern(Rpm speed, Metres largest) const {
 bool ExactLobes::possible(Rpm speed) const {
   if (changesWithSpeed(model_)) return ExactLobes(modelAt(model_, speed), system_).possible(speed);
   if (isShaped(model_.tool)) return ShapedTeeth(model_, pattern_, speed).lines(Fineness::Rough) <= kMostLines;
-  return pattern_.alike || UnlikeTeeth(model_, pattern_, speed).lines(Fineness::Rough) <= kMostLines;
+  return pattern_.alike || UnlikeTeeth::possible(model_, pattern_, speed);
 }
 
 Rpm ExactLobes::lowestSpeed() const {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <random>
 
 #include "core/milling/stability/advice.h"
@@ -127,7 +128,7 @@ void expectSame(const SpeedLimits& a, const SpeedLimits& b, double tolerance, co
 }
 
 // One tooth period for all, so that all three must say the same.
-TEST(ShopCuts, TheHarmonicsOfAnEvenPitchGiveTheExactLimits) {
+TEST(ShopCuts, TheMonodromyOfAnEvenPitchGivesTheExactLimits) {
   std::mt19937 random(5);
   for (int n = 0; n < 8; ++n) {
     const CutModel model = randomTool(random);
@@ -135,9 +136,68 @@ TEST(ShopCuts, TheHarmonicsOfAnEvenPitchGiveTheExactLimits) {
     const auto lobes = ExactLobes::make(model, "even");
     const auto exact = lobes->limits(speed, {Metres(8e-3), false, false, {}});
     const std::string what = "cut " + std::to_string(n);
-    expectSame(*exact, search(UnlikeTeeth(model, lobes->pattern(), speed), speed, 8e-3), 2e-3, what + " harmonics");
+    expectSame(*exact, search(UnlikeTeeth(model, lobes->pattern(), speed), speed, 8e-3), 1e-6, what + " monodromy");
     expectSame(*exact, search(AlikeTeeth(model, speed), speed, 8e-3), 1e-6, what + " transition");
   }
+}
+
+// f of unlike teeth by their lines, which straight ones do not need.
+class ByLines final : public CircleFunction {
+ public:
+  explicit ByLines(const UnlikeTeeth& teeth) : teeth_(teeth) {}
+  int states() const override { return teeth_.states(); }
+  bool sample(double depth, std::span<const double> angles, Fineness fineness, std::span<std::complex<double>> out,
+              WorkMeter& meter) const override {
+    return teeth_.sampleLines(depth, angles, fineness, out, meter);
+  }
+  Hertz chatterFrequency(double angle, double depth, WorkMeter& meter) const override {
+    return teeth_.chatterFrequency(angle, depth, meter);
+  }
+  double growthAt(double depth) const override { return teeth_.growthAt(depth); }
+
+ private:
+  const UnlikeTeeth& teeth_;
+};
+
+CutModel unevenPitch(CutModel model, int teeth, std::mt19937& random) {
+  model.tool.teeth = teeth;
+  model.tool.pitch.clear();
+  double whole = 0.0;
+  for (int j = 0; j < teeth; ++j) {
+    model.tool.pitch.push_back(std::uniform_real_distribution<double>(0.8, 1.2)(random));
+    whole += model.tool.pitch.back();
+  }
+  for (double& pitch : model.tool.pitch) pitch *= kTwoPi / whole;
+  return model;
+}
+
+// Nothing is shared by the two: one is made of stretches of time, the other of lines of frequency.
+TEST(ShopCuts, OfUnevenStraightTeethOneMatrixAndTheLinesGiveTheSameLimits) {
+  std::mt19937 random(23);
+  for (int n = 0; n < 8; ++n) {
+    const CutModel model = unevenPitch(randomTool(random), 2 + n % 4, random);
+    const Rpm speed(std::uniform_real_distribution<double>(6000.0, 15000.0)(random));
+    const UnlikeTeeth teeth(model, toothPattern(model.tool), speed);
+    expectSame(search(teeth, speed, 5e-3), search(ByLines(teeth), speed, 5e-3), 2e-3, "cut " + std::to_string(n));
+  }
+}
+
+// Where many waves fit into a revolution, and by lines every angle asks for a matrix of 250 rows.
+TEST(ShopCuts, UnevenPitchAtLowSpeedIsLittleWork) {
+  std::mt19937 random(5);
+  const CutModel model = unevenPitch(textbookHalf(), 4, random);
+  const auto lobes = ExactLobes::make(model, "uneven");
+  ASSERT_TRUE(lobes.ok());
+  LimitOptions options;
+  options.maxAxialDepth = Metres(4e-3);
+  options.firstOnly = true;
+  options.frequencies = false;
+  WorkMeter meter;
+  const auto limits = lobes->limits(Rpm(2200.0), options, meter);
+  ASSERT_TRUE(limits.ok());
+  EXPECT_TRUE(limits->hasLimit());
+  EXPECT_TRUE(limits->verified);
+  EXPECT_LT(meter.total(), 4e9);
 }
 
 TEST(ShopCuts, HelixAndProcessDampingAgreeBetweenTimeAndHarmonics) {

@@ -6,7 +6,6 @@
 
 #include <complex>
 #include <span>
-#include <vector>
 
 #include "core/base/units.h"
 #include "core/milling/stability/work_meter.h"
@@ -26,15 +25,6 @@ class CircleFunction {
   // f at mu = exp(i angle), angles within 0 .. pi [rad]; false when stopped.
   virtual bool sample(double depth, std::span<const double> angles, Fineness fineness,
                       std::span<std::complex<double>> out, WorkMeter& meter) const = 0;
-  // The same rough values for several depths, one row each, which may cost less than one by one.
-  virtual bool sampleDepths(std::span<const double> depths, std::span<const double> angles,
-                            std::vector<std::vector<std::complex<double>>>& rows, WorkMeter& meter) const {
-    rows.assign(depths.size(), std::vector<std::complex<double>>(angles.size()));
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-      if (!sample(depths[i], angles, Fineness::Rough, rows[i], meter)) return false;
-    }
-    return true;
-  }
   // The largest line of the motion that belongs to a multiplier exp(i angle); 0 when stopped.
   virtual Hertz chatterFrequency(double angle, double depth, WorkMeter& meter) const = 0;
   // About how far the motion of one period grows at most, in e-folds, at a depth; no expansion survives very many.

@@ -76,11 +76,11 @@ class Sampler {
     for (std::size_t j = 0; j <= angles_ / 2; ++j) {
       angles.push_back(kTwoPi * static_cast<double>(j) / static_cast<double>(angles_));
     }
-    std::vector<std::vector<Complex>> values;
-    if (!f_.sampleDepths(depths, angles, values, meter_)) return false;
+    std::vector<Complex> values(angles.size());
     c.clear();
-    for (const std::vector<Complex>& row : values) {
-      c.push_back(laurent(row));
+    for (const double depth : depths) {
+      if (!f_.sample(depth, angles, Fineness::Rough, values, meter_)) return false;
+      c.push_back(laurent(values));
       const double size = largestOf(c.back());
       largest_ = std::max(largest_, size);
       smallest_ = std::min(smallest_, size);

@@ -1,6 +1,5 @@
 #include "core/milling/stability/any_tool/unlike_teeth.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,29 +47,19 @@ void keep(const std::array<Complex, 4>& h, const RegenerativeSystem& system, std
   im.push_back(b);
 }
 
-// det(1 + w H) for an upper Hessenberg matrix: elimination with a pivot from two neighbouring rows.
-Complex determinantAt(const Eigen::MatrixXcd& h, double w, Eigen::MatrixXcd& work) {
-  const Eigen::Index n = h.rows();
-  work = w * h;
-  work.diagonal().array() += 1.0;
-  Complex det = 1.0;
-  for (Eigen::Index k = 0; k + 1 < n; ++k) {
-    if (std::norm(work(k + 1, k)) > std::norm(work(k, k))) {
-      work.row(k).tail(n - k).swap(work.row(k + 1).tail(n - k));
-      det = -det;
-    }
-    if (work(k, k) == 0.0) return 0.0;
-    det *= work(k, k);
-    const Complex factor = work(k + 1, k) / work(k, k);
-    work.row(k + 1).tail(n - k) -= factor * work.row(k).tail(n - k);
-  }
-  return det * work(n - 1, n - 1);
-}
-
 // Mean of exp(-i x z/w) over the depth.
 Complex meanOver(double x) {
   if (std::abs(x) < 1e-6) return {1.0 - x * x / 6.0, -0.5 * x};
   return (1.0 - std::polar(1.0, -x)) / Complex(0.0, x);
+}
+
+bool isStraight(const CutModel& model, const ToothPattern& pattern) {
+  return pattern.straight && model.material.processDamping == 0.0 && !model.turning;
+}
+
+ToothCut cutOf(const CutModel& model) {
+  return {model.engagement.startAngle(), model.engagement.exitAngle(), model.material.tangential,
+          model.material.radial};
 }
 
 }  // namespace
@@ -85,7 +74,11 @@ UnlikeTeeth::UnlikeTeeth(const CutModel& model, const ToothPattern& pattern, Rpm
       radial_(model.material.radial),
       damping_(model.material.processDamping / (0.5 * model.tool.diameter.value)),
       straight_(systemAt(model, Metres(0.0))),
-      lines_(straight_.oscillators, period_) {}
+      lines_(straight_.oscillators, period_) {
+  if (!isStraight(model, pattern_)) return;
+  rough_.emplace(straight_, pattern_, cutOf(model), speed_, Fineness::Rough);
+  fine_.emplace(straight_, pattern_, cutOf(model), speed_, Fineness::Fine);
+}
 
 UnlikeTeeth::Sums UnlikeTeeth::sumsAt(double depth, int most) const {
   Sums sums;
@@ -158,8 +151,24 @@ Eigen::MatrixXcd UnlikeTeeth::matrixAt(const std::vector<HarmonicLine>& lines, c
   return matrix;
 }
 
+bool UnlikeTeeth::possible(const CutModel& model, const ToothPattern& pattern, Rpm speed) {
+  constexpr double kMostUnknowns = 260.0;
+  constexpr int kMostLines = 140;
+  const RegenerativeSystem system = systemAt(model, Metres(0.0));
+  const double turning = kTwoPi * toHertz(speed).value;
+  if (isStraight(model, pattern))
+    return StraightMonodromy::expectedSize(system, pattern, cutOf(model), turning) <= kMostUnknowns;
+  return HarmonicLines(system.oscillators, kTwoPi / (turning * pattern.repeats)).count(Fineness::Rough) <= kMostLines;
+}
+
 bool UnlikeTeeth::sample(double depth, std::span<const double> angles, Fineness fineness, std::span<Complex> out,
                          WorkMeter& meter) const {
+  if (rough_) return (fineness == Fineness::Rough ? *rough_ : *fine_).sample(depth, angles, out, meter);
+  return sampleLines(depth, angles, fineness, out, meter);
+}
+
+bool UnlikeTeeth::sampleLines(double depth, std::span<const double> angles, Fineness fineness, std::span<Complex> out,
+                              WorkMeter& meter) const {
   const int most = lines_.count(fineness) + 2;
   const Sums sums = sumsAt(depth, most);
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -168,28 +177,6 @@ bool UnlikeTeeth::sample(double depth, std::span<const double> angles, Fineness 
     const double size = n * straight_.axes;
     if (!meter.proceed(2.7 * size * size * size + 8.0 * n * n * static_cast<double>(sums.delays.size()))) return false;
     out[i] = lines_.structure(angles[i]) * matrixAt(lines, sums, depth).partialPivLu().determinant();
-  }
-  return true;
-}
-
-bool UnlikeTeeth::sampleDepths(std::span<const double> depths, std::span<const double> angles,
-                               std::vector<std::vector<Complex>>& rows, WorkMeter& meter) const {
-  constexpr std::size_t kWorthIt = 5;  // a reduction costs as much as so many determinants
-  if (!pattern_.straight || damping_ > 0.0 || depths.size() < kWorthIt)
-    return CircleFunction::sampleDepths(depths, angles, rows, meter);
-  rows.assign(depths.size(), std::vector<Complex>(angles.size()));
-  const Sums sums = sumsAt(1.0, lines_.count(Fineness::Rough) + 2);
-  Eigen::MatrixXcd work;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    Eigen::MatrixXcd matrix = matrixAt(lines_.at(angles[i], Fineness::Rough), sums, 1.0);
-    const auto size = static_cast<double>(matrix.rows());
-    if (!meter.proceed(14.0 * size * size * size + 8.0 * size * size * static_cast<double>(depths.size())))
-      return false;
-    matrix.diagonal().array() -= 1.0;
-    const Eigen::MatrixXcd h = Eigen::HessenbergDecomposition<Eigen::MatrixXcd>(matrix).matrixH();
-    for (std::size_t k = 0; k < depths.size(); ++k) {
-      rows[k][i] = lines_.structure(angles[i]) * determinantAt(h, depths[k], work);
-    }
   }
   return true;
 }

@@ -7,15 +7,18 @@
 // exactly periodic in omega and real at mu = 1 and -1. Multiplied by the structure's own (mu - mu_i), which takes
 // the poles out, f counts multipliers (Budak, J. Manuf. Sci. Eng. 125, 2003 part 1; Bachrathy and Stepan, Int. J.
 // Mech. Sci. 2013; the fade is ours).
+// Straight teeth without process damping have a StraightMonodromy instead, which is the same f for far less work.
 // Thread: const members from any thread.
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <vector>
 
 #include "core/milling/cut_model.h"
 #include "core/milling/stability/any_tool/circle_function.h"
 #include "core/milling/stability/any_tool/harmonic_lines.h"
+#include "core/milling/stability/any_tool/straight_monodromy.h"
 #include "core/milling/stability/any_tool/tooth_pattern.h"
 #include "core/milling/stability/regenerative_system.h"
 
@@ -28,13 +31,13 @@ class UnlikeTeeth final : public CircleFunction {
   int states() const override { return straight_.states(); }
   bool sample(double depth, std::span<const double> angles, Fineness fineness, std::span<std::complex<double>> out,
               WorkMeter& meter) const override;
-  // With straight teeth and no process damping the depth is a factor, and one reduction serves all depths.
-  bool sampleDepths(std::span<const double> depths, std::span<const double> angles,
-                    std::vector<std::vector<std::complex<double>>>& rows, WorkMeter& meter) const override;
   Hertz chatterFrequency(double angle, double depth, WorkMeter& meter) const override;
   double growthAt(double depth) const override;
-  // Lines at this speed, of which the work grows with the third power.
-  int lines(Fineness fineness) const { return lines_.count(fineness); }
+  // f by the lines, whatever the teeth are.
+  bool sampleLines(double depth, std::span<const double> angles, Fineness fineness, std::span<std::complex<double>> out,
+                   WorkMeter& meter) const;
+  // Whether the work at this speed, which grows with the third power of lines or unknowns, is worth waiting for.
+  static bool possible(const CutModel& model, const ToothPattern& pattern, Rpm speed);
 
  private:
   using Complex = std::complex<double>;
@@ -57,6 +60,7 @@ class UnlikeTeeth final : public CircleFunction {
   double tangential_, radial_, damping_;  // damping [N/m^2], over the radius
   RegenerativeSystem straight_;           // of the mean pitch: the oscillators, and estimates
   HarmonicLines lines_;
+  std::optional<StraightMonodromy> rough_, fine_;  // of straight teeth without process damping
 };
 
 }  // namespace stillcut::milling
