@@ -90,11 +90,11 @@ Status checkFormat(const std::string& path, const record::RecordingFormat& forma
   }
   if (format.rate < evaluate::kSlowestSampling) {
     return Error{path, message("%1 samples a second are too few for vibration", shownRate(format.rate)),
-                 message("at least 100 are needed; is its time not in seconds? --rate HZ gives another rate")};
+                 message("at least 100 are needed; is its time not in seconds? --time-unit or --rate says so")};
   }
   if (format.rate > evaluate::kFastestSampling) {
     return Error{path, message("%1 samples a second are more than can be judged", shownRate(format.rate)),
-                 message("at most 1000000; is its time not in seconds? --rate HZ gives another rate")};
+                 message("at most 1000000; is its time not in seconds? --time-unit or --rate says so")};
   }
   return Done{};
 }

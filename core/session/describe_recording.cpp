@@ -159,7 +159,7 @@ std::string toText(const RecordingDescription& description) {
   constexpr Hertz kSlowest{10.0};
   if (format.rate < kSlowest) {
     text +=
-        "doubt        too slow for vibration: is the first column no time in seconds? --rate HZ gives another rate\n";
+        "doubt        too slow for vibration: is the first column no time in seconds? --time-unit or --rate says so\n";
   }
   for (std::size_t c = 0; c < format.channels.size(); ++c) text += channelLine(c, format.channels[c]);
   if (format.started_ns > 0 && !description.session) text += "recorded     " + utcText(format.started_ns) + "\n";

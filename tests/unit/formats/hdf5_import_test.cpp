@@ -117,6 +117,23 @@ TEST(Hdf5Import, ADataSetByPathWithUnitAndRateFromAttributes) {
   EXPECT_THAT(readAll(path + ":/run1/daq/vib").error, HasSubstr("the sampling rate is not known"));
 }
 
+TEST(Hdf5Import, TimesThatAreTooSlowInSecondsAreAskedFor) {
+  const TempFolder folder;
+  const std::string path = folder / "ms.h5";
+  {
+    Hdf5Maker file(path);
+    std::vector<float> times = ramp(2000);
+    for (float& t : times) t *= 0.1F;
+    file.set("time", {2000}, times);
+    file.set("x", {2000}, ramp(2000));
+  }
+  EXPECT_THAT(readAll(path).error, HasSubstr("--time-unit ms (10000 Hz)"));
+  ReadOptions told;
+  told.secondsPerTime = 1e-3;
+  EXPECT_EQ(readAll(path, told).error, "");
+  EXPECT_EQ(readAll(path, told).format.rate.value, 10'000.0);
+}
+
 TEST(Hdf5Import, LyingSizesAreRefused) {
   const TempFolder folder;
   const std::string path = folder / "lie.h5";
