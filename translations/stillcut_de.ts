@@ -1576,7 +1576,7 @@
         <translation>kein Programm läuft</translation>
     </message>
     <message>
-        <source>spindle %1 rev/min, programmed %2</source>
+        <source>spindle %1 rpm, programmed %2</source>
         <translation>Spindel %1 1/min, programmiert %2</translation>
     </message>
     <message>
@@ -1730,10 +1730,6 @@
     <message>
         <source>%1 cannot be read</source>
         <translation>%1 lässt sich nicht lesen</translation>
-    </message>
-    <message>
-        <source>%1 datasets 58 hold other functions</source>
-        <translation>%1 Datensätze 58 enthalten andere Funktionen</translation>
     </message>
     <message>
         <source>%1 has no higher voltage</source>
@@ -1912,7 +1908,7 @@
         <translation>/24 oder eine größere Zahl</translation>
     </message>
     <message>
-        <source>0 to 1000000 rev/min</source>
+        <source>0 to 1000000 rpm</source>
         <translation>0 bis 1000000 1/min</translation>
     </message>
     <message>
@@ -3476,7 +3472,7 @@
         <translation>Quelle „simulated“</translation>
     </message>
     <message>
-        <source>speed must lie between 1 and 200000 rev/min</source>
+        <source>speed must lie between 1 and 200000 rpm</source>
         <translation>die Drehzahl muss zwischen 1 und 200000 1/min liegen</translation>
     </message>
     <message>
@@ -4520,7 +4516,7 @@
         <translation>dieser Ordner kennt keine Dateisperren, ohne die eine Aufzeichnung nicht sicher ist (%1)</translation>
     </message>
     <message>
-        <source>spindle programmed %1 rev/min, not measured</source>
+        <source>spindle programmed %1 rpm, not measured</source>
         <translation>Spindel %1 1/min programmiert, nicht gemessen</translation>
     </message>
     <message>
@@ -4666,10 +4662,6 @@
     <message>
         <source>its sampling rate or number of channels changes within it</source>
         <translation>Abtastrate oder Kanalzahl wechseln innerhalb der Datei</translation>
-    </message>
-    <message>
-        <source>its time has no unit and steps of %1</source>
-        <translation>die Zeit hat keine Einheit und Schritte von %1</translation>
     </message>
     <message>
         <source>its times do not grow</source>
@@ -4860,14 +4852,6 @@
         <translation>in Python als CSV schreiben: %1</translation>
     </message>
     <message>
-        <source>write s, ms, us or ns behind its name, or give --rate HZ</source>
-        <translation>s, ms, us oder ns hinter den Namen schreiben oder --rate HZ angeben</translation>
-    </message>
-    <message>
-        <source>write s, ms, us or ns, or give --rate HZ</source>
-        <translation>s, ms, us oder ns schreiben oder --rate HZ angeben</translation>
-    </message>
-    <message>
         <source>%1 s of air cutting</source>
         <translation>%1 s Luft</translation>
     </message>
@@ -4878,10 +4862,6 @@
     <message>
         <source>%1; take %2</source>
         <translation>%1; nehmen Sie %2</translation>
-    </message>
-    <message>
-        <source>at least 100 are needed; is its time not in seconds? --rate HZ gives another rate</source>
-        <translation>mindestens 100 sind nötig; ist die Zeit nicht in Sekunden? --rate HZ gibt eine andere Rate an</translation>
     </message>
     <message>
         <source>channel %1 (%2) is no vibration and was left out: %3</source>
@@ -4952,11 +4932,11 @@
         <translation>ohne die Spindeldrehzahl folgt keine Drehzahl</translation>
     </message>
     <message>
-        <source>no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rev/min would be</source>
+        <source>no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rpm would be</source>
         <translation>keine erreichbare Drehzahl ist bei %1 mm Tiefe stabil, %2 mm bei %3 1/min wären es</translation>
     </message>
     <message>
-        <source>no stable speed lies between %1 and %2 rev/min</source>
+        <source>no stable speed lies between %1 and %2 rpm</source>
         <translation>zwischen %1 und %2 1/min liegt keine stabile Drehzahl</translation>
     </message>
     <message>
@@ -4976,7 +4956,7 @@
         <translation>Abtastwerte fehlen</translation>
     </message>
     <message>
-        <source>stable speeds are only %1 rev/min apart here, so that less depth is the surer way</source>
+        <source>stable speeds are only %1 rpm apart here, so that less depth is the surer way</source>
         <translation>stabile Drehzahlen liegen hier nur %1 1/min auseinander, weniger Tiefe ist der sicherere Weg</translation>
     </message>
     <message>
@@ -4988,15 +4968,15 @@
         <translation>das Werkzeug tritt ein oder aus</translation>
     </message>
     <message>
-        <source>try %1 or %2 rev/min (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7</source>
+        <source>try %1 or %2 rpm (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7</source>
         <translation>versuchen Sie %1 oder %2 1/min (%3 oder %4 Wellen von %5 Hz zwischen zwei Schneiden statt %6) oder %7</translation>
     </message>
     <message>
-        <source>try %1 rev/min (%2 waves of %3 Hz between two teeth instead of %4), or %5</source>
+        <source>try %1 rpm (%2 waves of %3 Hz between two teeth instead of %4), or %5</source>
         <translation>versuchen Sie %1 1/min (%2 Wellen von %3 Hz zwischen zwei Schneiden statt %4) oder %5</translation>
     </message>
     <message>
-        <source>try %1 rev/min (stable from %2 to %3 rev/min by the lobes), or %4</source>
+        <source>try %1 rpm (stable from %2 to %3 rpm by the lobes), or %4</source>
         <translation>versuchen Sie %1 1/min (nach den Stabilitätskarten stabil von %2 bis %3 1/min) oder %4</translation>
     </message>
     <message>
@@ -5104,7 +5084,7 @@
         <translation>eine Zahnharmonische trifft eine Resonanz: Drehzahl davon weg</translation>
     </message>
     <message>
-        <source>a tooth harmonic meets a resonance: take the speed off it, as %1 rev/min</source>
+        <source>a tooth harmonic meets a resonance: take the speed off it, as %1 rpm</source>
         <translation>eine Zahnharmonische trifft eine Resonanz: Drehzahl davon weg, etwa %1 1/min</translation>
     </message>
     <message>
@@ -5112,7 +5092,7 @@
         <translation>ein Schrägschnitt endet tiefer als er beginnt</translation>
     </message>
     <message>
-        <source>another speed: %1 rev/min</source>
+        <source>another speed: %1 rpm</source>
         <translation>andere Drehzahl: %1 1/min</translation>
     </message>
     <message>
@@ -5228,7 +5208,7 @@
         <translation>er gehört einem anderen Programm</translation>
     </message>
     <message>
-        <source>it was quiet at %1 rev/min</source>
+        <source>it was quiet at %1 rpm</source>
         <translation>bei %1 1/min war es ruhig</translation>
     </message>
     <message>
@@ -5300,7 +5280,7 @@
         <translation>Spektren</translation>
     </message>
     <message>
-        <source>speed must lie above 0 and up to 1e6 rev/min</source>
+        <source>speed must lie above 0 and up to 1e6 rpm</source>
         <translation>Drehzahl muss über 0 und bis 1e6 1/min liegen</translation>
     </message>
     <message>
@@ -5412,7 +5392,7 @@
         <translation>dieser Schnitt war früher ruhig: Werkzeug stumpf oder lose?</translation>
     </message>
     <message>
-        <source>this tool chattered at %1 rev/min</source>
+        <source>this tool chattered at %1 rpm</source>
         <translation>dieses Werkzeug ratterte bei %1 1/min</translation>
     </message>
     <message>
@@ -5472,12 +5452,8 @@
         <translation>eine Pipe wird als Standardeingabe gelesen: - &lt; FILE</translation>
     </message>
     <message>
-        <source>a row is a time in s and a speed in rev/min</source>
+        <source>a row is a time in s and a speed in rpm</source>
         <translation>eine Zeile ist eine Zeit in s und eine Drehzahl in U/min</translation>
-    </message>
-    <message>
-        <source>at most 1000000; is its time not in seconds? --rate HZ gives another rate</source>
-        <translation>höchstens 1000000; ist die Zeit nicht in Sekunden? --rate HZ gibt eine andere Rate an</translation>
     </message>
     <message>
         <source>choose at most 32 with --channel N[,N]</source>
@@ -5803,6 +5779,86 @@
         <source>with several edges the modes may move along the feed and the cutting speed only</source>
         <translation>Bei mehreren Schneiden dürfen sich die Moden nur entlang des Vorschubs und der Schnittgeschwindigkeit bewegen</translation>
     </message>
+    <message>
+        <source>&apos;stillcut-cli modal&apos; and the page Tap test read it</source>
+        <translation>&apos;stillcut-cli modal&apos; und die Seite Klopfen lesen ihn</translation>
+    </message>
+    <message>
+        <source>a coherence</source>
+        <translation>eine Kohärenz</translation>
+    </message>
+    <message>
+        <source>a frequency response</source>
+        <translation>einen Frequenzgang</translation>
+    </message>
+    <message>
+        <source>a function of type %1</source>
+        <translation>eine Funktion der Art %1</translation>
+    </message>
+    <message>
+        <source>a spectrum</source>
+        <translation>ein Spektrum</translation>
+    </message>
+    <message>
+        <source>another Stillcut could not be told from none</source>
+        <translation>ein anderes Stillcut wäre von keinem nicht zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>at least 100 are needed; is its time not in seconds? --time-unit or --rate says so</source>
+        <translation>mindestens 100 sind nötig; ist die Zeit nicht in Sekunden? --time-unit oder --rate sagt es</translation>
+    </message>
+    <message>
+        <source>at most 1000000; is its time not in seconds? --time-unit or --rate says so</source>
+        <translation>höchstens 1000000; ist die Zeit nicht in Sekunden? --time-unit oder --rate sagt es</translation>
+    </message>
+    <message>
+        <source>export the samples over time that it was made of</source>
+        <translation>die Messwerte über der Zeit ausgeben, aus denen es entstand</translation>
+    </message>
+    <message>
+        <source>holds a time stamp that makes no sense</source>
+        <translation>enthält einen sinnlosen Zeitstempel</translation>
+    </message>
+    <message>
+        <source>is a spectrum and no recording: &apos;%1&apos; holds frequencies</source>
+        <translation>ist ein Spektrum und keine Aufzeichnung: &apos;%1&apos; enthält Frequenzen</translation>
+    </message>
+    <message>
+        <source>is no recording: it holds %1</source>
+        <translation>ist keine Aufzeichnung: sie enthält %1</translation>
+    </message>
+    <message>
+        <source>is read without [write.heartbeat]</source>
+        <translation>wird ohne [write.heartbeat] gelesen</translation>
+    </message>
+    <message>
+        <source>it has another rate or length</source>
+        <translation>er hat eine andere Rate oder Länge</translation>
+    </message>
+    <message>
+        <source>it holds %1</source>
+        <translation>er enthält %1</translation>
+    </message>
+    <message>
+        <source>its time has no unit; its steps of %1 would be %2 Hz in seconds</source>
+        <translation>ihre Zeit hat keine Einheit; ihre Schritte von %1 wären in Sekunden %2 Hz</translation>
+    </message>
+    <message>
+        <source>open the samples that it was made of; a frequency response goes into the tap test</source>
+        <translation>die Messwerte öffnen, aus denen es entstand; ein Frequenzgang gehört auf die Seite Klopfen</translation>
+    </message>
+    <message>
+        <source>say --time-unit %1, or s if it is that slow</source>
+        <translation>--time-unit %1 sagen, oder s, wenn sie so langsam ist</translation>
+    </message>
+    <message>
+        <source>say --time-unit s, ms, us or ns, or give --rate HZ</source>
+        <translation>--time-unit s, ms, us oder ns sagen, oder --rate HZ angeben</translation>
+    </message>
+    <message>
+        <source>two responses and no word of the force: right only if x and y were each hit along themselves</source>
+        <translation>zwei Antworten, und von der Kraft steht nichts da: richtig nur, wenn x und y je in ihrer Richtung angeschlagen wurden</translation>
+    </message>
 </context>
 <context>
     <name>Learned</name>
@@ -5857,6 +5913,14 @@
     <message>
         <source>Judged cut: chatter</source>
         <translation>Beurteilter Schnitt: Rattern</translation>
+    </message>
+    <message>
+        <source>No deeper: this cut is close to its limit</source>
+        <translation>Nicht tiefer: dieser Schnitt liegt nahe an seiner Grenze</translation>
+    </message>
+    <message>
+        <source>Depth could rise by about %1 (%2 to %3)</source>
+        <translation>Die Zustellung könnte um etwa %1 steigen (%2 bis %3)</translation>
     </message>
 </context>
 <context>
@@ -6457,6 +6521,10 @@
     <message>
         <source>Say it below and touch READ.</source>
         <translation>Unten angeben und LESEN berühren.</translation>
+    </message>
+    <message>
+        <source>The resonance at %1 Hz is deeper than every mode found, and too noisy to be fitted: a depth would be too large. Hit harder, average more hits, or take a harder tip.</source>
+        <translation>Die Resonanz bei %1 Hz ist nachgiebiger als jede gefundene Mode und zu verrauscht, um angepasst zu werden: eine Zustellung wäre zu groß. Kräftiger schlagen, über mehr Schläge mitteln oder eine härtere Spitze nehmen.</translation>
     </message>
 </context>
 <context>
@@ -8053,10 +8121,6 @@
         <translation>%1 Zähne</translation>
     </message>
     <message>
-        <source>rev/min</source>
-        <translation>1/min</translation>
-    </message>
-    <message>
         <source>Judged again: %1</source>
         <translation>Neu beurteilt: %1</translation>
     </message>
@@ -8851,11 +8915,11 @@
         <translation>Wird beurteilt, %1</translation>
     </message>
     <message>
-        <source>In the signal: %1 rev/min</source>
+        <source>In the signal: %1 rpm</source>
         <translation>Im Signal: %1 1/min</translation>
     </message>
     <message>
-        <source>In the signal: %1 rev/min, or %2</source>
+        <source>In the signal: %1 rpm, or %2</source>
         <translation>Im Signal: %1 1/min, oder %2</translation>
     </message>
     <message>
@@ -9718,7 +9782,7 @@
         <translation>Zähne</translation>
     </message>
     <message>
-        <source>Speed, rev/min</source>
+        <source>Speed, rpm</source>
         <translation>Drehzahl, 1/min</translation>
     </message>
 </context>
@@ -10469,6 +10533,10 @@
     <message>
         <source>Example: %1</source>
         <translation>Beispiel: %1</translation>
+    </message>
+    <message>
+        <source>No device is chosen to measure with: choose one under SENSORS.</source>
+        <translation>Es ist kein Gerät zum Messen gewählt: unter SENSOREN eines wählen.</translation>
     </message>
 </context>
 <context>
@@ -11277,6 +11345,33 @@
     <message>
         <source>STALE: nothing new arrives</source>
         <translation>VERALTET: nichts Neues kommt an</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TimingFields</name>
+    <message>
+        <source>READ</source>
+        <translation type="unfinished">LESEN</translation>
+    </message>
+    <message>
+        <source>Read the recording with so many samples a second</source>
+        <translation>Die Aufzeichnung mit so vielen Messwerten je Sekunde lesen</translation>
+    </message>
+    <message>
+        <source>Samples a second</source>
+        <translation>Messwerte je Sekunde</translation>
+    </message>
+    <message>
+        <source>Its times are in %1</source>
+        <translation>Die Zeiten sind in %1</translation>
+    </message>
+    <message>
+        <source>In what are its times?</source>
+        <translation>In welcher Einheit sind die Zeiten?</translation>
+    </message>
+    <message>
+        <source>Samples a second, Hz</source>
+        <translation>Messwerte je Sekunde, Hz</translation>
     </message>
 </context>
 <context>

@@ -1576,7 +1576,7 @@
         <translation>没有程序在运行</translation>
     </message>
     <message>
-        <source>spindle %1 rev/min, programmed %2</source>
+        <source>spindle %1 rpm, programmed %2</source>
         <translation>主轴 %1 rpm，编程值 %2</translation>
     </message>
     <message>
@@ -1730,10 +1730,6 @@
     <message>
         <source>%1 cannot be read</source>
         <translation>%1 无法读取</translation>
-    </message>
-    <message>
-        <source>%1 datasets 58 hold other functions</source>
-        <translation>%1 个 58 数据集含其他函数</translation>
     </message>
     <message>
         <source>%1 has no higher voltage</source>
@@ -1912,7 +1908,7 @@
         <translation>/24 或更大的数</translation>
     </message>
     <message>
-        <source>0 to 1000000 rev/min</source>
+        <source>0 to 1000000 rpm</source>
         <translation>0 至 1000000 转/分</translation>
     </message>
     <message>
@@ -3476,7 +3472,7 @@
         <translation>信号源 &apos;simulated&apos;</translation>
     </message>
     <message>
-        <source>speed must lie between 1 and 200000 rev/min</source>
+        <source>speed must lie between 1 and 200000 rpm</source>
         <translation>转速必须在 1 到 200000 转/分之间</translation>
     </message>
     <message>
@@ -4520,8 +4516,8 @@
         <translation>此文件夹不支持文件锁，没有文件锁记录就不安全（%1）</translation>
     </message>
     <message>
-        <source>spindle programmed %1 rev/min, not measured</source>
-        <translation>主轴编程转速 %1 rev/min，未测量</translation>
+        <source>spindle programmed %1 rpm, not measured</source>
+        <translation>主轴编程转速 %1 r/min，未测量</translation>
     </message>
     <message>
         <source>an order was seen to act, and to be taken back, after %1 ms</source>
@@ -4666,10 +4662,6 @@
     <message>
         <source>its sampling rate or number of channels changes within it</source>
         <translation>其采样率或通道数在文件中途改变</translation>
-    </message>
-    <message>
-        <source>its time has no unit and steps of %1</source>
-        <translation>时间没有单位，步长为 %1</translation>
     </message>
     <message>
         <source>its times do not grow</source>
@@ -4860,14 +4852,6 @@
         <translation>请在 Python 中写成 CSV：%1</translation>
     </message>
     <message>
-        <source>write s, ms, us or ns behind its name, or give --rate HZ</source>
-        <translation>请在名称后写 s、ms、us 或 ns，或给出 --rate HZ</translation>
-    </message>
-    <message>
-        <source>write s, ms, us or ns, or give --rate HZ</source>
-        <translation>请写 s、ms、us 或 ns，或给出 --rate HZ</translation>
-    </message>
-    <message>
         <source>%1 s of air cutting</source>
         <translation>空切 %1 s</translation>
     </message>
@@ -4878,10 +4862,6 @@
     <message>
         <source>%1; take %2</source>
         <translation>%1；请%2</translation>
-    </message>
-    <message>
-        <source>at least 100 are needed; is its time not in seconds? --rate HZ gives another rate</source>
-        <translation>至少需要 100；时间是否不以秒为单位？--rate HZ 可另给采样率</translation>
     </message>
     <message>
         <source>channel %1 (%2) is no vibration and was left out: %3</source>
@@ -4952,11 +4932,11 @@
         <translation>主轴转速未知，无法得出转速</translation>
     </message>
     <message>
-        <source>no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rev/min would be</source>
+        <source>no speed in reach is stable at a depth of %1 mm, %2 mm at %3 rpm would be</source>
         <translation>切深 %1 mm 时没有可达的稳定转速，%3 r/min 时 %2 mm 可稳定</translation>
     </message>
     <message>
-        <source>no stable speed lies between %1 and %2 rev/min</source>
+        <source>no stable speed lies between %1 and %2 rpm</source>
         <translation>%1 至 %2 r/min 之间没有稳定转速</translation>
     </message>
     <message>
@@ -4976,7 +4956,7 @@
         <translation>缺少采样</translation>
     </message>
     <message>
-        <source>stable speeds are only %1 rev/min apart here, so that less depth is the surer way</source>
+        <source>stable speeds are only %1 rpm apart here, so that less depth is the surer way</source>
         <translation>此处稳定转速仅相隔 %1 r/min，减小切深更可靠</translation>
     </message>
     <message>
@@ -4988,15 +4968,15 @@
         <translation>刀具切入或切出</translation>
     </message>
     <message>
-        <source>try %1 or %2 rev/min (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7</source>
+        <source>try %1 or %2 rpm (%3 or %4 waves of %5 Hz between two teeth instead of %6), or %7</source>
         <translation>试用 %1 或 %2 r/min（两齿之间 %3 或 %4 个 %5 Hz 波，而非 %6），或%7</translation>
     </message>
     <message>
-        <source>try %1 rev/min (%2 waves of %3 Hz between two teeth instead of %4), or %5</source>
+        <source>try %1 rpm (%2 waves of %3 Hz between two teeth instead of %4), or %5</source>
         <translation>试用 %1 r/min（两齿之间 %2 个 %3 Hz 波，而非 %4），或%5</translation>
     </message>
     <message>
-        <source>try %1 rev/min (stable from %2 to %3 rev/min by the lobes), or %4</source>
+        <source>try %1 rpm (stable from %2 to %3 rpm by the lobes), or %4</source>
         <translation>试用 %1 r/min（按叶瓣图在 %2 至 %3 r/min 稳定），或%4</translation>
     </message>
     <message>
@@ -5104,7 +5084,7 @@
         <translation>刀齿谐波与共振重合：请避开该转速</translation>
     </message>
     <message>
-        <source>a tooth harmonic meets a resonance: take the speed off it, as %1 rev/min</source>
+        <source>a tooth harmonic meets a resonance: take the speed off it, as %1 rpm</source>
         <translation>刀齿谐波与共振重合：请避开该转速，例如 %1 r/min</translation>
     </message>
     <message>
@@ -5112,7 +5092,7 @@
         <translation>斜切的终点必须比起点深</translation>
     </message>
     <message>
-        <source>another speed: %1 rev/min</source>
+        <source>another speed: %1 rpm</source>
         <translation>换一个转速：%1 r/min</translation>
     </message>
     <message>
@@ -5228,7 +5208,7 @@
         <translation>它属于其他程序</translation>
     </message>
     <message>
-        <source>it was quiet at %1 rev/min</source>
+        <source>it was quiet at %1 rpm</source>
         <translation>在 %1 r/min 时平稳</translation>
     </message>
     <message>
@@ -5300,7 +5280,7 @@
         <translation>频谱</translation>
     </message>
     <message>
-        <source>speed must lie above 0 and up to 1e6 rev/min</source>
+        <source>speed must lie above 0 and up to 1e6 rpm</source>
         <translation>转速必须大于 0 且不超过 1e6 r/min</translation>
     </message>
     <message>
@@ -5412,7 +5392,7 @@
         <translation>此切削以前是平稳的：刀具磨损或松动了吗？</translation>
     </message>
     <message>
-        <source>this tool chattered at %1 rev/min</source>
+        <source>this tool chattered at %1 rpm</source>
         <translation>此刀具在 %1 r/min 时颤振</translation>
     </message>
     <message>
@@ -5472,12 +5452,8 @@
         <translation>管道请作为标准输入读取：- &lt; FILE</translation>
     </message>
     <message>
-        <source>a row is a time in s and a speed in rev/min</source>
+        <source>a row is a time in s and a speed in rpm</source>
         <translation>每行为时间（s）和转速（r/min）</translation>
-    </message>
-    <message>
-        <source>at most 1000000; is its time not in seconds? --rate HZ gives another rate</source>
-        <translation>最多 1000000；时间是否不以秒为单位？可用 --rate HZ 指定采样率</translation>
     </message>
     <message>
         <source>choose at most 32 with --channel N[,N]</source>
@@ -5803,6 +5779,86 @@
         <source>with several edges the modes may move along the feed and the cutting speed only</source>
         <translation>有多个切削刃时，模态只能沿进给方向和切削速度方向运动</translation>
     </message>
+    <message>
+        <source>&apos;stillcut-cli modal&apos; and the page Tap test read it</source>
+        <translation>请用“stillcut-cli modal”或“敲击”页读取</translation>
+    </message>
+    <message>
+        <source>a coherence</source>
+        <translation>相干函数</translation>
+    </message>
+    <message>
+        <source>a frequency response</source>
+        <translation>频率响应</translation>
+    </message>
+    <message>
+        <source>a function of type %1</source>
+        <translation>类型为 %1 的函数</translation>
+    </message>
+    <message>
+        <source>a spectrum</source>
+        <translation>频谱</translation>
+    </message>
+    <message>
+        <source>another Stillcut could not be told from none</source>
+        <translation>无法区分是否有另一个 Stillcut</translation>
+    </message>
+    <message>
+        <source>at least 100 are needed; is its time not in seconds? --time-unit or --rate says so</source>
+        <translation>至少需要 100；其时间不是以秒计？请用 --time-unit 或 --rate 指明</translation>
+    </message>
+    <message>
+        <source>at most 1000000; is its time not in seconds? --time-unit or --rate says so</source>
+        <translation>最多 1000000；其时间不是以秒计？请用 --time-unit 或 --rate 指明</translation>
+    </message>
+    <message>
+        <source>export the samples over time that it was made of</source>
+        <translation>请导出生成它的时间采样数据</translation>
+    </message>
+    <message>
+        <source>holds a time stamp that makes no sense</source>
+        <translation>含有无意义的时间戳</translation>
+    </message>
+    <message>
+        <source>is a spectrum and no recording: &apos;%1&apos; holds frequencies</source>
+        <translation>是频谱而不是记录：“%1”中是频率</translation>
+    </message>
+    <message>
+        <source>is no recording: it holds %1</source>
+        <translation>不是记录：其中是%1</translation>
+    </message>
+    <message>
+        <source>is read without [write.heartbeat]</source>
+        <translation>在没有 [write.heartbeat] 的情况下读取</translation>
+    </message>
+    <message>
+        <source>it has another rate or length</source>
+        <translation>其采样率或长度不同</translation>
+    </message>
+    <message>
+        <source>it holds %1</source>
+        <translation>其中是%1</translation>
+    </message>
+    <message>
+        <source>its time has no unit; its steps of %1 would be %2 Hz in seconds</source>
+        <translation>其时间没有单位；步长 %1 若以秒计则为 %2 Hz</translation>
+    </message>
+    <message>
+        <source>open the samples that it was made of; a frequency response goes into the tap test</source>
+        <translation>请打开生成它的采样数据；频率响应请用“敲击”页</translation>
+    </message>
+    <message>
+        <source>say --time-unit %1, or s if it is that slow</source>
+        <translation>用 --time-unit 指明 %1；若确实这么慢则为 s</translation>
+    </message>
+    <message>
+        <source>say --time-unit s, ms, us or ns, or give --rate HZ</source>
+        <translation>用 --time-unit 指明 s、ms、us 或 ns，或给出 --rate HZ</translation>
+    </message>
+    <message>
+        <source>two responses and no word of the force: right only if x and y were each hit along themselves</source>
+        <translation>有两个响应而未说明力的方向：仅当 x 和 y 各沿自身方向敲击时才正确</translation>
+    </message>
 </context>
 <context>
     <name>Learned</name>
@@ -5857,6 +5913,14 @@
     <message>
         <source>Judged cut: chatter</source>
         <translation>判定过的切削：颤振</translation>
+    </message>
+    <message>
+        <source>No deeper: this cut is close to its limit</source>
+        <translation>不要再加深：本次切削已接近极限</translation>
+    </message>
+    <message>
+        <source>Depth could rise by about %1 (%2 to %3)</source>
+        <translation>切深还可增加约 %1（%2 至 %3）</translation>
     </message>
 </context>
 <context>
@@ -6457,6 +6521,10 @@
     <message>
         <source>Say it below and touch READ.</source>
         <translation>请在下方填写并按“读取”。</translation>
+    </message>
+    <message>
+        <source>The resonance at %1 Hz is deeper than every mode found, and too noisy to be fitted: a depth would be too large. Hit harder, average more hits, or take a harder tip.</source>
+        <translation>%1 Hz 处的共振比找到的每个模态都更深，且噪声太大无法拟合：给出的切深会过大。请用力敲击、增加敲击次数或换用更硬的锤头。</translation>
     </message>
 </context>
 <context>
@@ -8053,10 +8121,6 @@
         <translation>%1 齿</translation>
     </message>
     <message>
-        <source>rev/min</source>
-        <translation>r/min</translation>
-    </message>
-    <message>
         <source>Judged again: %1</source>
         <translation>重新判断：%1</translation>
     </message>
@@ -8851,11 +8915,11 @@
         <translation>正在判断，%1</translation>
     </message>
     <message>
-        <source>In the signal: %1 rev/min</source>
+        <source>In the signal: %1 rpm</source>
         <translation>信号中：%1 r/min</translation>
     </message>
     <message>
-        <source>In the signal: %1 rev/min, or %2</source>
+        <source>In the signal: %1 rpm, or %2</source>
         <translation>信号中：%1 r/min，或 %2</translation>
     </message>
     <message>
@@ -9718,7 +9782,7 @@
         <translation>齿数</translation>
     </message>
     <message>
-        <source>Speed, rev/min</source>
+        <source>Speed, rpm</source>
         <translation>转速，r/min</translation>
     </message>
 </context>
@@ -10469,6 +10533,10 @@
     <message>
         <source>Example: %1</source>
         <translation>示例：%1</translation>
+    </message>
+    <message>
+        <source>No device is chosen to measure with: choose one under SENSORS.</source>
+        <translation>尚未选择测量设备：请在“传感器”中选择。</translation>
     </message>
 </context>
 <context>
@@ -11277,6 +11345,33 @@
     <message>
         <source>STALE: nothing new arrives</source>
         <translation>已过时：没有新数据</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TimingFields</name>
+    <message>
+        <source>READ</source>
+        <translation type="unfinished">读取</translation>
+    </message>
+    <message>
+        <source>Read the recording with so many samples a second</source>
+        <translation>按此每秒采样数读取记录</translation>
+    </message>
+    <message>
+        <source>Samples a second</source>
+        <translation>每秒采样数</translation>
+    </message>
+    <message>
+        <source>Its times are in %1</source>
+        <translation>时间单位为 %1</translation>
+    </message>
+    <message>
+        <source>In what are its times?</source>
+        <translation>时间以什么为单位？</translation>
+    </message>
+    <message>
+        <source>Samples a second, Hz</source>
+        <translation>每秒采样数，Hz</translation>
     </message>
 </context>
 <context>

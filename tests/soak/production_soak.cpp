@@ -1,9 +1,9 @@
 // soak_production [HOURS] [SEED]: HOURS (24 unless told) of simulated production, as fast as this machine can: stable
 // parts, each with a tool, a machine, speeds, depths, entries and corners of its own (tests/support/production), and
-// after every ninth of them one that chatters, with Auto granted throughout. Prints each stable part that had an alarm,
-// then alarms and moves in stable parts, chatter that was not ended, and memory at a tenth and at the end. Exit code 0:
-// in 24 h at most one stable part with an alarm and one with a move, every chattering part ended quiet, and memory flat
-// (5 % or 8 MB, the larger).
+// after every ninth of them one that chatters, with Auto granted throughout. Prints each alarm in a stable part with
+// its reason, then alarms and moves in stable parts, chatter that was not ended, and memory at a tenth and at the end.
+// Exit code 0: in 24 h at most one stable part with an alarm and one with a move, every chattering part ended quiet,
+// and memory flat (5 % or 8 MB, the larger).
 
 #include <cmath>
 #include <cstdio>
@@ -33,14 +33,21 @@ Status runPart(milling::Scenario part, std::uint64_t seed, bool stable, Tally& t
   if (!built) return built.error();
   evaluate::SimulationHistory history;
   built->rig->send({OperatorAction::GrantBySimulation, Authority::Auto});
+  bool was = false;
   built->rig->runToEnd([&](const StepInput& input, const StepOutput& output) {
     history.observe(input, output, built->source->plant());
+    const Verdict& v = output.verdicts[static_cast<std::size_t>(output.inCharge)];
+    if (stable && v.alarming() && !was) {
+      std::printf("%s, %.2f s: %s, %.0f Hz at %.0f rpm\n", part.name.c_str(), sinceEpoch(v.time).value,
+                  sentence(v.reason).c_str(), v.frequency.value, toRpm(v.spindle).value);
+      std::fflush(stdout);  // a day of parts is watched while it runs
+    }
+    was = v.alarming();
   });
   bool alarm = false;
   bool move = false;
   bool lastChatters = false;
   for (const evaluate::SimulationHistory::Point& point : history.points()) {
-    if (stable && point.alarming && !alarm) std::printf("%s: alarm at %.2f s\n", part.name.c_str(), point.t);
     alarm |= point.alarming;
     move |= point.commandMoves;
     if (point.cutting) lastChatters = point.chattering;
