@@ -11351,7 +11351,7 @@
     <name>stillcut::ui::TimingFields</name>
     <message>
         <source>READ</source>
-        <translation type="unfinished">读取</translation>
+        <translation>读取</translation>
     </message>
     <message>
         <source>Read the recording with so many samples a second</source>
