@@ -8,7 +8,7 @@ void ShareTest::skipStale() {
   const unsigned seen = seen_;
   reset();
   seen_ = seen;
-  stale_ = kWindow;
+  stale_ = SeriesWatch::kLooksPerWindow;
 }
 
 void ShareTest::see(const SeriesLook& look) {

@@ -40,8 +40,8 @@ class ShareTest {
   static constexpr double kLeastOffset = 0.03;
   static constexpr int kFewestLines = 4;  // a spindle's series of two, and chatter with a side line
 
-  static constexpr int kMostUncounted = 8;  // looks on end that tell nothing: two windows
-  static constexpr int kWindow = 4;         // looks that share samples with one that lies between them
+  // Looks on end that tell nothing: two windows.
+  static constexpr int kMostUncounted = 2 * SeriesWatch::kLooksPerWindow;
 
   unsigned seen_ = 0;
   int stale_ = 0;  // looks to come that reach back before the vibration went

@@ -45,7 +45,7 @@ constexpr int kLooks = 3;  // on end
 // own, and those of its motor and of fans.
 constexpr int kCutLines = 4;
 // Looks for which a cut told by its chatter goes on without it: one window, so that nothing is left of what told it.
-constexpr unsigned kHolds = 4;
+constexpr unsigned kHolds = SeriesWatch::kLooksPerWindow;
 
 // Speed and current are integrals of the cutting torque and fall with the frequency; what an encoder or a converter
 // adds does not, and an encoder's rises with it. Above where tools chatter they tell nothing.

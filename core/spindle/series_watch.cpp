@@ -14,7 +14,6 @@ constexpr double kTurns = 16.0;
 constexpr double kShortest = 0.4;      // s
 constexpr double kLongest = 2.0;       // s
 constexpr double kUnknown = 0.6;       // s, where nobody told a speed
-constexpr int kHops = 4;               // looks a window
 constexpr Hertz kHighest{6000.0};      // tools chatter below; above, sound holds what chips and air make
 constexpr double kUsableBand = 0.45;   // of the rate
 constexpr double kLowest = 0.5;        // orders: below are the high-pass and the machine's sway
@@ -54,7 +53,7 @@ void SeriesWatch::prepare(const CutSetup& setup, double doubt) {
   const double told = toHertz(setup.nominalSpeed).value;
   const double seconds = told > 0.0 ? std::clamp(kTurns / told, kShortest, kLongest) : kUnknown;
   window_ = dsp::fastFftSize(std::clamp(static_cast<int>(seconds * rate_), 256, 1 << 18));
-  hop_ = window_ / kHops;
+  hop_ = window_ / kLooksPerWindow;
   heard_.prepare(channels_, static_cast<int>(window_));
   spectrum_.prepare(static_cast<int>(window_), setup.rate, dsp::WindowKind::Hann);
   const auto bins = static_cast<std::size_t>(spectrum_.bins());

@@ -44,6 +44,8 @@ struct SeriesLook {
 
 class SeriesWatch {
  public:
+  static constexpr int kLooksPerWindow = 4;  // so many that follow one another share samples with the first
+
   // doubt: of the told speed at most, as a ratio.
   void prepare(const CutSetup& setup, double doubt);
   void reset() noexcept;
@@ -92,7 +94,7 @@ class SeriesWatch {
   static constexpr std::size_t kLevels = 8;
   std::array<double, kLevels> levels_{};  // power of the lines of the last looks
   std::array<double, kLevels> forced_{};  // ... on the orders
-  static constexpr std::size_t kSpeeds = 4;
+  static constexpr std::size_t kSpeeds = kLooksPerWindow;
   std::array<double, kSpeeds> speeds_{};       // Hz, of the looks of a window
   std::array<double, kMaxChannels> drives_{};  // Hz
   std::vector<LineList> lists_;

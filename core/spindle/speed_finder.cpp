@@ -12,8 +12,8 @@ constexpr double kNearlyAll = 0.93;  // of what the best comb holds: a fundament
 constexpr double kTeethCarry = 0.7;  // of the comb, on every so manieth line: these are the tooth passings
 constexpr double kRunout = 0.25;     // of what is beside the comb, on the lines in between: runout
 constexpr double kFirstLine = 0.5;   // of the comb: a tooth passing; imbalance alone never shakes a cut like that
-constexpr std::array<int, 3> kSkips{2, 3, 5};
-constexpr double kLeastPeak = 1e-4;  // of the power; smaller lines propose nothing
+constexpr std::array<int, 3> kSkips{2, 3, 5};  // of a spindle that turns so many times faster, every such multiple
+constexpr double kLeastPeak = 1e-4;            // of the power; smaller lines propose nothing
 
 }  // namespace
 
@@ -150,7 +150,7 @@ double SpeedFinder::everyPassing(double spindle) const noexcept {
     all += line;
     for (std::size_t q = 0; q < kSkips.size(); ++q) between[q] += k % kSkips[q] != 0 ? line : 0.0;
   }
-  return all > 0.0 ? *std::min_element(between.begin(), between.end()) / all : 0.0;
+  return all > 0.0 ? *std::min_element(between.begin(), between.end()) / all : 1.0;  // none there: nothing is told
 }
 
 }  // namespace stillcut::detect
